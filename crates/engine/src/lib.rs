@@ -1,0 +1,1 @@
+//! The only user of wgpu: carries out a plan on a device.

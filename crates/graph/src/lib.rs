@@ -1,0 +1,1 @@
+//! Pass graphs: RON in, a checked plan out. No GPU.

@@ -1,0 +1,1 @@
+//! WGSL modules: linked, checked with naga, reflected.

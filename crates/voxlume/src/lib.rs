@@ -1,0 +1,1 @@
+//! Voxel cone tracing on wgpu with pluggable voxel storage formats.
