@@ -1,1 +1,16 @@
 //! The only user of wgpu: carries out a plan on a device.
+
+mod error;
+mod gpu;
+mod image;
+mod program;
+mod renderer;
+mod resources;
+mod timing;
+mod upload;
+
+pub use error::Error;
+pub use gpu::Gpu;
+pub use image::Picture;
+pub use renderer::{Passes, Renderer};
+pub use timing::{Clock, PassTime};

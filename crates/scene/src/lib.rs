@@ -2,6 +2,21 @@
 //!
 //! Everything here is in SI-like world units, right-handed, +y up as in glTF. Positions that can be
 //! far from the origin are `f64`; [`Geometry`] is `f32` relative to an origin of the caller's choice.
+//!
+//! [`Scene::load`] reads a file; [`ron`] and [`gltf`] say what may be in it.
 
+mod camera;
 mod data;
+mod emissive;
+mod geometry;
+pub mod gltf;
+mod light;
+mod limit;
+mod load;
+pub mod ron;
+mod shape;
+mod vertex;
+
 pub use data::*;
+pub use limit::MEMORY_LIMIT;
+pub use load::WORLD_LIMIT;

@@ -1,1 +1,28 @@
-//! Voxel cone tracing on wgpu with pluggable voxel storage formats.
+//! Voxel cone tracing on `wgpu` with pluggable voxel storage formats.
+//!
+//! ```no_run
+//! use voxlume::{Formats, Gpu, Library, Passes, Pipeline, Renderer, Request, Scene, SceneFacts, plan};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let scene = Scene::load("scenes/cornell.ron".as_ref())?;
+//! let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
+//! let facts = SceneFacts::of(&scene);
+//! let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(512, 512))?;
+//! let gpu = Gpu::open(None)?;
+//! let mut renderer = Renderer::new(&gpu, plan, &scene)?;
+//! renderer.render(&scene, &scene.cameras[0], Passes::Changed)?;
+//! let picture = renderer.picture("final")?;
+//! # Ok(())
+//! # }
+//! ```
+
+pub use voxlume_engine::{Clock, Error, Gpu, PassTime, Passes, Picture, Renderer};
+pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
+pub use voxlume_format::{Encoding, Formats, Levels, StorageFormat, Volume};
+pub use voxlume_graph::{
+    Grid, KINDS, LeftOut, Pipeline, Plan, Request, ResourceKind, SURFACE_IMAGES, SceneFacts, Value, explain, plan,
+};
+pub use voxlume_scene as scene;
+pub use voxlume_scene::{Camera, Scene};
+pub use voxlume_shader::{Library, check_all};
+pub use wgpu;

@@ -1,0 +1,61 @@
+//! What can go wrong on a device.
+
+/// An error of the device or of what was asked of it.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// No adapter at all.
+    #[error(
+        "no graphics device found: install a Vulkan driver (on Debian: apt-get install mesa-vulkan-drivers for a software one)"
+    )]
+    NoAdapter,
+    /// No adapter whose name has this part.
+    #[error("no graphics device is called `{name}`; there is: {}", known.join(", "))]
+    NoSuchAdapter {
+        /// The part asked for.
+        name: String,
+        /// Names of what there is.
+        known: Vec<String>,
+    },
+    /// The device can't be opened.
+    #[error("{adapter}: can't open the device: {message}")]
+    Open {
+        /// Name of the adapter.
+        adapter: String,
+        /// What the driver says.
+        message: String,
+    },
+    /// The device has no memory left.
+    #[error("out of device memory while {0}")]
+    OutOfMemory(String),
+    /// A buffer would exceed what one binding holds.
+    #[error("`{name}` needs {bytes} bytes for {voxels} occupied voxels; one buffer holds at most {limit}: choose a lower resolution")]
+    TooLarge {
+        /// The resource.
+        name: String,
+        /// What it needs.
+        bytes: u64,
+        /// Occupied voxels.
+        voxels: u64,
+        /// Largest binding.
+        limit: u64,
+    },
+    /// The device refuses something.
+    #[error("the device refuses {what}: {message}")]
+    Refused {
+        /// What was being done.
+        what: String,
+        /// What it says.
+        message: String,
+    },
+    /// The device is gone.
+    #[error("the device was lost: {0}")]
+    Lost(String),
+    /// An image that the plan doesn't have.
+    #[error("no image is called `{name}`; there is: {}", known.join(", "))]
+    NoSuchImage {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<String>,
+    },
+}

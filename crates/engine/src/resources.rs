@@ -1,0 +1,206 @@
+//! A plan's resources on the device.
+
+use voxlume_format::Encoding;
+use voxlume_graph::{ImageTexel, Plan, ResourceKind, SceneFacts};
+use voxlume_scene::{Geometry, Scene};
+use wgpu::util::DeviceExt;
+
+use crate::upload::{light, material, mesh, texture};
+use crate::{Error, Gpu};
+
+/// A resource.
+#[derive(Debug)]
+pub(crate) enum Object {
+    Buffer(wgpu::Buffer),
+    Texture(wgpu::Texture),
+    Sampler(wgpu::Sampler),
+    /// Not made yet: its size depends on the number of occupied voxels.
+    Pending,
+}
+
+/// The scene's part: what the plan calls `Scene` resources, and what else drawing needs.
+pub(crate) struct SceneObjects {
+    pub named: Vec<(&'static str, Object)>,
+    pub indices: wgpu::Buffer,
+    pub index_count: u32,
+    pub light_count: u32,
+    pub frame: wgpu::Buffer,
+}
+
+impl SceneObjects {
+    pub fn new(gpu: &Gpu, plan: &Plan, facts: &SceneFacts, scene: &Scene) -> Result<SceneObjects, Error> {
+        let geometry = Geometry::new(scene, plan.grid.centre);
+        let lights = light::lights(scene, plan, facts);
+        let layers = texture::layers(scene);
+        let [colors, data] = [true, false].map(|srgb| texture::array(scene, srgb, facts.texture_size));
+        gpu.guarded("the scene's buffers", || {
+            let storage = |label, bytes: &[u8], usage| buffer_with(gpu, label, bytes, usage);
+            let read = wgpu::BufferUsages::STORAGE;
+            let indices: &[u8] = bytemuck::cast_slice(&geometry.triangles);
+            let index_buffer = storage("indices", indices, read | wgpu::BufferUsages::INDEX);
+            let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("frame"),
+                size: size_of::<crate::upload::frame::Frame>() as u64,
+                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            let vertices = mesh::vertices(&geometry);
+            let named = vec![
+                ("frame", Object::Buffer(frame.clone())),
+                ("vertices", Object::Buffer(storage("vertices", bytemuck::cast_slice(&vertices), read))),
+                ("indices", Object::Buffer(index_buffer.clone())),
+                (
+                    "materials",
+                    Object::Buffer(storage(
+                        "materials",
+                        bytemuck::cast_slice(&material::materials(scene, &layers)),
+                        read,
+                    )),
+                ),
+                ("lights", Object::Buffer(storage("lights", bytemuck::cast_slice(&lights.lights), read))),
+                (
+                    "shadow_matrices",
+                    Object::Buffer(storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), read)),
+                ),
+                ("color_textures", Object::Texture(texture_array(gpu, "color_textures", &colors, true))),
+                ("data_textures", Object::Texture(texture_array(gpu, "data_textures", &data, false))),
+                ("material_sampler", Object::Sampler(sampler(gpu, wgpu::AddressMode::Repeat, None))),
+                ("volume_sampler", Object::Sampler(sampler(gpu, wgpu::AddressMode::ClampToEdge, None))),
+                (
+                    "shadow_sampler",
+                    Object::Sampler(sampler(
+                        gpu,
+                        wgpu::AddressMode::ClampToEdge,
+                        Some(wgpu::CompareFunction::LessEqual),
+                    )),
+                ),
+            ];
+            SceneObjects {
+                named,
+                indices: index_buffer,
+                index_count: geometry.triangles.len() as u32 * 3,
+                light_count: lights.count,
+                frame,
+            }
+        })
+    }
+}
+
+/// A buffer with these bytes, at least one element's worth of zeroes.
+pub(crate) fn buffer_with(gpu: &Gpu, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+    let nothing = [0; 256];
+    let contents = if bytes.is_empty() { &nothing } else { bytes };
+    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+}
+
+fn sampler(gpu: &Gpu, address: wgpu::AddressMode, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {
+    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        address_mode_u: address,
+        address_mode_v: address,
+        address_mode_w: address,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        compare,
+        ..Default::default()
+    })
+}
+
+fn texture_array(gpu: &Gpu, label: &str, array: &texture::TextureArray, srgb: bool) -> wgpu::Texture {
+    let format = if srgb { wgpu::TextureFormat::Rgba8UnormSrgb } else { wgpu::TextureFormat::Rgba8Unorm };
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width: array.size, height: array.size, depth_or_array_layers: array.layers },
+        mip_level_count: array.levels.len() as u32,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    for (mip, bytes) in array.levels.iter().enumerate() {
+        let side = (array.size >> mip).max(1);
+        gpu.queue.write_texture(
+            wgpu::TexelCopyTextureInfo { mip_level: mip as u32, ..texture.as_image_copy() },
+            bytes,
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
+            wgpu::Extent3d { width: side, height: side, depth_or_array_layers: array.layers },
+        );
+    }
+    texture
+}
+
+/// Makes resource `index`; with `counts` of occupied voxels and cells, also what depends on them.
+pub(crate) fn create(gpu: &Gpu, plan: &Plan, index: usize, counts: Option<(u64, u64)>) -> Result<Object, Error> {
+    let resource = &plan.resources[index];
+    let name = resource.name.as_str();
+    if matches!(resource.kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_)) && counts.is_none() {
+        return Ok(Object::Pending);
+    }
+    let (voxels, cells) = counts.unwrap_or_default();
+    let [width, height] = plan.screen;
+    let texture = |size: [u32; 3], mips, dimension, format, usage| {
+        let [width, height, depth_or_array_layers] = size;
+        gpu.guarded(name, || {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(name),
+                size: wgpu::Extent3d { width, height, depth_or_array_layers },
+                mip_level_count: mips,
+                sample_count: 1,
+                dimension,
+                format,
+                usage: usage | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+                view_formats: &[],
+            })
+        })
+        .map(Object::Texture)
+    };
+    match resource.kind {
+        ResourceKind::Scene => Ok(Object::Pending),
+        ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => {
+            let bytes = plan.bytes(index, voxels, cells).unwrap_or_default().max(32);
+            let limit = gpu.device.limits().max_storage_buffer_binding_size;
+            if bytes > limit {
+                return Err(Error::TooLarge { name: name.to_owned(), bytes, voxels, limit });
+            }
+            let usage = wgpu::BufferUsages::STORAGE
+                | wgpu::BufferUsages::COPY_DST
+                | wgpu::BufferUsages::COPY_SRC
+                | wgpu::BufferUsages::INDIRECT;
+            let descriptor =
+                wgpu::BufferDescriptor { label: Some(name), size: bytes, usage, mapped_at_creation: false };
+            gpu.guarded(name, || gpu.device.create_buffer(&descriptor)).map(Object::Buffer)
+        }
+        ResourceKind::Volume { size, mips, encoding } => {
+            let format = volume_format(encoding);
+            texture(size, mips, wgpu::TextureDimension::D3, format, wgpu::TextureUsages::STORAGE_BINDING)
+        }
+        ResourceKind::Image { texel, layers } => {
+            let usage = match texel {
+                ImageTexel::Rgba16Float => {
+                    wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::RENDER_ATTACHMENT
+                }
+                ImageTexel::Rgba8Srgb | ImageTexel::Depth32 => wgpu::TextureUsages::RENDER_ATTACHMENT,
+            };
+            texture([width, height, layers], 1, wgpu::TextureDimension::D2, image_format(texel), usage)
+        }
+        ResourceKind::ShadowMaps { size, layers } => {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            texture([size, size, layers], 1, wgpu::TextureDimension::D2, wgpu::TextureFormat::Depth32Float, usage)
+        }
+    }
+}
+
+fn volume_format(encoding: Encoding) -> wgpu::TextureFormat {
+    match encoding {
+        Encoding::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+    }
+}
+
+pub(crate) fn image_format(texel: ImageTexel) -> wgpu::TextureFormat {
+    match texel {
+        ImageTexel::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        ImageTexel::Rgba8Srgb => wgpu::TextureFormat::Rgba8UnormSrgb,
+        ImageTexel::Depth32 => wgpu::TextureFormat::Depth32Float,
+    }
+}

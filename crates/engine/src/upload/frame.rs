@@ -1,0 +1,73 @@
+//! The frame's uniform, as `struct Frame` in wgsl/common/frame.wgsl.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3};
+use voxlume_graph::{FixedPoint, Plan, SceneFacts};
+use voxlume_scene::{Camera, Scene};
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Frame {
+    view_projection: Mat4,
+    eye: Vec3,
+    near: f32,
+    forward: Vec3,
+    light_count: u32,
+    right: Vec3,
+    triangle_count: u32,
+    up: Vec3,
+    level_count: u32,
+    grid_min: Vec3,
+    voxel_size: f32,
+    grid_size: [u32; 3],
+    texture_size: u32,
+    sky: Vec3,
+    attribute_scale: f32,
+    screen: [u32; 2],
+    normal_scale: f32,
+    emission_max: f32,
+    level_words: [u32; 16],
+}
+
+impl Frame {
+    pub fn new(plan: &Plan, facts: &SceneFacts, scene: &Scene, camera: &Camera, light_count: u32) -> Frame {
+        let grid = &plan.grid;
+        let [width, height] = plan.screen;
+        let aspect = width as f32 / height as f32;
+        let eye = (camera.eye - grid.centre).as_vec3();
+        // Nearer than any surface that a voxel can tell from the camera's own.
+        let near = grid.voxel_size * 0.05;
+        let right = camera.forward.cross(camera.up).normalize();
+        let up = right.cross(camera.forward);
+        let view = Mat4::look_to_rh(eye, camera.forward, up);
+        let projection = Mat4::perspective_infinite_reverse_rh(camera.vertical_fov, aspect, near);
+        let half_height = (camera.vertical_fov / 2.0).tan();
+        let scale = FixedPoint::for_triangles(plan.triangles);
+        let mut level_words = [0; 16];
+        for (to, from) in level_words.iter_mut().zip(grid.word_offsets().0) {
+            *to = from;
+        }
+        let emission = scene.materials.iter().map(|material| material.emission.max_element()).fold(0.0, f32::max);
+        Frame {
+            view_projection: projection * view,
+            eye,
+            near,
+            forward: camera.forward,
+            light_count,
+            right: right * half_height * aspect,
+            triangle_count: plan.triangles,
+            up: up * half_height,
+            level_count: grid.levels(),
+            grid_min: grid.min(),
+            voxel_size: grid.voxel_size,
+            grid_size: grid.size,
+            texture_size: facts.texture_size,
+            sky: scene.sky,
+            attribute_scale: scale.unsigned,
+            screen: plan.screen,
+            normal_scale: scale.signed,
+            emission_max: emission.max(f32::MIN_POSITIVE),
+            level_words,
+        }
+    }
+}

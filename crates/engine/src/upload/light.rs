@@ -1,0 +1,112 @@
+//! Lights, as `struct Light` in wgsl/common/light.wgsl, and the matrices of their shadow maps.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use voxlume_graph::{AREA_LIGHT_LIMIT, Plan, SceneFacts};
+use voxlume_scene::{EmissivePolygon, Light as SceneLight, LightKind, Scene};
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Light {
+    position: Vec3,
+    kind: u32,
+    intensity: Vec3,
+    size: f32,
+    direction: Vec3,
+    shadow_layer: i32,
+    falloff: Vec2,
+    area: f32,
+    padding: f32,
+    corners: [Vec4; 4],
+}
+
+const DIRECTIONAL: u32 = 0;
+const POINT: u32 = 1;
+const SPOT: u32 = 2;
+const AREA: u32 = 3;
+
+/// The lights, and a matrix for each shadow map's layer. At least one of each, as buffers can't be empty.
+pub(crate) struct Lights {
+    pub count: u32,
+    pub lights: Vec<Light>,
+    pub matrices: Vec<Mat4>,
+}
+
+pub(crate) fn lights(scene: &Scene, plan: &Plan, facts: &SceneFacts) -> Lights {
+    let radius = facts.bounds.map_or(1.0, |(low, high)| (high - low).length() as f32 / 2.0).max(1e-30);
+    let mut list = Vec::new();
+    let mut matrices = Vec::new();
+    for light in &scene.lights {
+        let layer = matrices.len() as i32;
+        list.push(punctual(light, plan, layer));
+        matrices.extend(shadow_matrices(light, plan, radius));
+    }
+    if plan.area_lights {
+        let polygons = scene.emissive_polygons(plan.grid.centre, AREA_LIGHT_LIMIT).unwrap_or_default();
+        list.extend(polygons.iter().map(area));
+    }
+    let count = list.len() as u32;
+    list.resize(list.len().max(1), Light::zeroed());
+    matrices.resize(matrices.len().max(1), Mat4::IDENTITY);
+    Lights { count, lights: list, matrices }
+}
+
+fn punctual(light: &SceneLight, plan: &Plan, shadow_layer: i32) -> Light {
+    let base = Light { intensity: light.intensity, shadow_layer, ..Light::zeroed() };
+    let relative = |position: glam::DVec3| (position - plan.grid.centre).as_vec3();
+    match light.kind {
+        LightKind::Directional { direction, angular_diameter } => {
+            Light { kind: DIRECTIONAL, position: -direction, size: (angular_diameter / 2.0).tan(), ..base }
+        }
+        LightKind::Point { position, radius } => {
+            Light { kind: POINT, position: relative(position), size: radius, ..base }
+        }
+        LightKind::Spot { position, direction, radius, inner, outer } => {
+            // KHR_lights_punctual's recommended falloff.
+            let scale = 1.0 / (inner.cos() - outer.cos()).max(1e-3);
+            let falloff = Vec2::new(scale, -outer.cos() * scale);
+            Light { kind: SPOT, position: relative(position), size: radius, direction, falloff, ..base }
+        }
+    }
+}
+
+fn area(polygon: &EmissivePolygon) -> Light {
+    let corner = |i: usize| polygon.corners[i.min(polygon.corners.len() - 1)];
+    let corners = [corner(0), corner(1), corner(2), corner(3)];
+    let cross = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    Light {
+        kind: AREA,
+        position: corners.iter().sum::<Vec3>() / 4.0,
+        intensity: polygon.radiance,
+        size: f32::from(u8::from(polygon.double_sided)),
+        direction: cross.normalize_or_zero(),
+        shadow_layer: -1,
+        area: cross.length() / 2.0,
+        corners: corners.map(|c| c.extend(0.0)),
+        ..Light::zeroed()
+    }
+}
+
+fn shadow_matrices(light: &SceneLight, plan: &Plan, radius: f32) -> Vec<Mat4> {
+    let relative = |position: glam::DVec3| (position - plan.grid.centre).as_vec3();
+    let near = radius * 1e-3;
+    match light.kind {
+        LightKind::Directional { direction, .. } => {
+            let view = Mat4::look_to_rh(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
+            vec![Mat4::orthographic_rh(-radius, radius, -radius, radius, radius * 0.9, radius * 3.1) * view]
+        }
+        LightKind::Spot { position, direction, outer, .. } => {
+            let eye = relative(position);
+            let view = Mat4::look_to_rh(eye, direction, direction.any_orthonormal_vector());
+            let far = eye.length() + 2.0 * radius;
+            vec![Mat4::perspective_rh((2.0 * outer).min(3.0), 1.0, near, far) * view]
+        }
+        LightKind::Point { position, .. } => {
+            let eye = relative(position);
+            let far = eye.length() + 2.0 * radius;
+            let projection = Mat4::perspective_rh(std::f32::consts::FRAC_PI_2, 1.0, near, far);
+            let axes = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
+            axes.map(|axis| projection * Mat4::look_to_rh(eye, axis, axis.any_orthonormal_vector())).to_vec()
+        }
+    }
+}

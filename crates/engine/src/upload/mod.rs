@@ -1,0 +1,7 @@
+//! Scenes as buffers and textures.
+
+pub(crate) mod frame;
+pub(crate) mod light;
+pub(crate) mod material;
+pub(crate) mod mesh;
+pub(crate) mod texture;

@@ -1,0 +1,68 @@
+//! The textures that a format keeps.
+
+use crate::Encoding;
+
+/// Levels of a grid: down to the one whose longest side is one cell.
+pub fn level_count(grid: [u32; 3]) -> u32 {
+    grid.into_iter().max().unwrap_or(1).max(1).ilog2() + 1
+}
+
+/// Which of the grid's levels a volume holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Levels {
+    /// Level 0 alone.
+    Finest,
+    /// All levels.
+    All,
+    /// All but level 0.
+    Coarser,
+}
+
+/// A 3D texture of a format. Blocks stand one above the other along z, one for each direction or coefficient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Volume {
+    /// Its name in WGSL.
+    pub name: &'static str,
+    /// The grid's levels that it holds.
+    pub levels: Levels,
+    /// Blocks along z.
+    pub blocks: u32,
+}
+
+impl Volume {
+    /// The grid's level that is the texture's mip level 0.
+    pub fn first_level(&self) -> u32 {
+        match self.levels {
+            Levels::Finest | Levels::All => 0,
+            Levels::Coarser => 1,
+        }
+    }
+
+    /// Mip levels of the texture for a grid of this size in voxels.
+    pub fn mip_levels(&self, grid: [u32; 3]) -> u32 {
+        match self.levels {
+            Levels::Finest => 1,
+            Levels::All => level_count(grid),
+            Levels::Coarser => (level_count(grid) - 1).max(1),
+        }
+    }
+
+    /// Whether it holds this level of the grid.
+    pub fn has_level(&self, level: u32, grid: [u32; 3]) -> bool {
+        (self.first_level()..self.first_level() + self.mip_levels(grid)).contains(&level)
+    }
+
+    /// Texels of mip level 0.
+    pub fn size(&self, grid: [u32; 3]) -> [u32; 3] {
+        let [x, y, z] = grid.map(|n| (n >> self.first_level()).max(1));
+        [x, y, z * self.blocks]
+    }
+
+    /// Bytes of all its levels.
+    pub fn bytes(&self, grid: [u32; 3], encoding: Encoding) -> u64 {
+        let texels: u64 = (0..self.mip_levels(grid))
+            .map(|mip| self.size(grid).into_iter().map(|n| u64::from((n >> mip).max(1))).product::<u64>())
+            .sum();
+        texels * encoding.texel_bytes()
+    }
+}

@@ -1,0 +1,22 @@
+//! What the camera sees.
+
+use super::{Binds, Expansion};
+use crate::plan::{ImageTexel, ResourceKind, Step};
+
+pub(crate) fn gbuffer(e: &mut Expansion<'_, '_>) {
+    let image = |texel| ResourceKind::Image { texel, layers: 1 };
+    let depth = e.context.resource("depth", image(ImageTexel::Depth32));
+    let targets = [
+        ("albedo", ImageTexel::Rgba8Srgb),
+        ("normal", ImageTexel::Rgba16Float),
+        ("geometry", ImageTexel::Rgba16Float),
+        ("emission", ImageTexel::Rgba16Float),
+    ];
+    let colors = targets
+        .map(|(name, texel)| e.context.surface_images.contains(name).then(|| e.context.resource(name, image(texel))));
+    let emission = [("HAS_EMISSION", e.context.facts.emissive)];
+    let binds = Binds { constants: &emission, ..Binds::default() };
+    if let Some(program) = e.program_of("pass/gbuffer", &["vertex_main", "fragment_main"], &binds) {
+        e.steps.push(Step::Draw { program, colors: colors.to_vec(), depth: (depth, 0), reversed: true });
+    }
+}

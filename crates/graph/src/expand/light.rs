@@ -1,0 +1,109 @@
+//! Lighting of voxels, filtering, bounces.
+
+use voxlume_format::Volume;
+
+use super::{Binds, Expansion, step_params};
+use crate::plan::{ResourceKind, Target};
+
+/// Bytes of a voxel's radiance: four floats.
+const RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
+
+pub(crate) fn light(e: &mut Expansion<'_, '_>) {
+    let kind = e.kind;
+    let occlusion = e.params.word(kind, "occlusion", &mut e.context.faults);
+    // Read already, when the lights were chosen.
+    e.params.word(kind, "emission", &mut e.context.faults);
+    let gathered = e.reads("emitted") && e.context.available.contains("emitted");
+    if !gathered {
+        e.context.radiance = e.context.resource("radiance", RADIANCE);
+    }
+    e.uses("emitted");
+    e.uses("shadow_maps");
+    let maps = occlusion == Some("shadow_map") && e.context.available.contains("shadow_maps");
+    let direct = [("direct", Target::Resource(e.context.radiance))];
+    let constants = [("USE_SHADOW_MAP", maps), ("ADD_TO_GATHERED", gathered)];
+    e.compute_cells("pass/light", &Binds { targets: &direct, constants: &constants, effect: "" }, 0);
+}
+
+pub(crate) fn filter(e: &mut Expansion<'_, '_>) {
+    e.uses("radiance");
+    let radiance = e.context.radiance;
+    store_and_mipmap(e, radiance);
+}
+
+pub(crate) fn bounce(e: &mut Expansion<'_, '_>) {
+    let kind = e.kind;
+    let bounces = e.params.whole(kind, "bounces", &mut e.context.faults).unwrap_or(0);
+    e.uses("radiance");
+    let direct = e.context.radiance;
+    for _ in 0..bounces {
+        let bounced = e.context.resource("bounced", RADIANCE);
+        gather(e, direct, bounced);
+        store_and_mipmap(e, bounced);
+    }
+}
+
+pub(crate) fn emission(e: &mut Expansion<'_, '_>) {
+    let own = e.context.resource("emission_alone", RADIANCE);
+    let gathered = e.context.resource("emitted", RADIANCE);
+    let targets = [("direct", Target::Resource(own))];
+    e.compute_cells("pass/emission", &Binds { targets: &targets, ..Binds::default() }, 0);
+    store_and_mipmap(e, own);
+    gather(e, own, gathered);
+    e.context.radiance = gathered;
+}
+
+fn gather(e: &mut Expansion<'_, '_>, direct: usize, bounced: usize) {
+    let targets = [("direct", Target::Resource(direct)), ("bounced", Target::Resource(bounced))];
+    let volumes = volume_targets(e);
+    let all: Vec<_> = targets.into_iter().chain(volumes.iter().map(|(n, t)| (n.as_str(), t.clone()))).collect();
+    e.compute_cells("pass/bounce", &Binds { targets: &all, ..Binds::default() }, 0);
+}
+
+/// The format's volumes, made at their first use.
+fn volumes(e: &mut Expansion<'_, '_>) -> Vec<(Volume, usize)> {
+    let grid = e.context.grid.size;
+    let encoding = e.context.encoding;
+    let volumes = e.context.format.volumes();
+    volumes
+        .iter()
+        .map(|volume| {
+            let kind = ResourceKind::Volume { size: volume.size(grid), mips: volume.mip_levels(grid), encoding };
+            (*volume, e.context.resource(volume.name, kind))
+        })
+        .collect()
+}
+
+fn volume_targets(e: &mut Expansion<'_, '_>) -> Vec<(String, Target)> {
+    volumes(e).into_iter().map(|(volume, resource)| (volume.name.to_owned(), Target::Resource(resource))).collect()
+}
+
+fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
+    let volumes = volumes(e);
+    e.uses("volume");
+    let mut targets = vec![("slot_radiance".to_owned(), Target::Resource(radiance))];
+    targets.extend(volumes.iter().filter(|(volume, _)| volume.first_level() == 0).map(|(volume, resource)| {
+        (format!("{}_level0", volume.name), Target::Mip { resource: *resource, mip: 0 })
+    }));
+    let named: Vec<_> = targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
+    e.compute_cells("pass/store", &Binds { targets: &named, ..Binds::default() }, 0);
+
+    let grid = e.context.grid.size;
+    for level in 1..e.context.grid.levels() {
+        let mut targets = Vec::new();
+        for (volume, resource) in &volumes {
+            let view = |level: u32| {
+                if volume.has_level(level, grid) {
+                    Target::Mip { resource: *resource, mip: level - volume.first_level() }
+                } else {
+                    Target::Nothing
+                }
+            };
+            targets.push((format!("{}_source", volume.name), view(level - 1)));
+            targets.push((format!("{}_target", volume.name), view(level)));
+        }
+        let mut named: Vec<_> = targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
+        named.push(step_params(level));
+        e.compute_cells("pass/mipmap", &Binds { targets: &named, ..Binds::default() }, level);
+    }
+}

@@ -1,0 +1,330 @@
+//! Passes as steps.
+
+pub(crate) mod gbuffer;
+pub(crate) mod light;
+pub(crate) mod screen;
+pub(crate) mod shadow_maps;
+pub(crate) mod voxelize;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use voxlume_fault::Faults;
+use voxlume_format::{Encoding, StorageFormat};
+use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
+
+use crate::facts::SceneFacts;
+use crate::grid::Grid;
+use crate::kind::{Kind, SURFACE_IMAGES};
+use crate::params::Params;
+use crate::pipeline::{PassEntry, Pipeline};
+use crate::plan::{Bind, LeftOut, Program, Resource, ResourceKind, Step, Target};
+
+/// Variables that the engine supplies.
+const SCENE: [&str; 11] = [
+    "frame",
+    "vertices",
+    "indices",
+    "materials",
+    "lights",
+    "color_textures",
+    "data_textures",
+    "material_sampler",
+    "shadow_sampler",
+    "shadow_matrices",
+    "volume_sampler",
+];
+
+/// Variables that make up `voxels`.
+const VOXELS: [&str; 8] =
+    ["occupancy", "ranks", "cells", "levels", "attributes", "tile_ranks", "tile_groups", "scan_runs"];
+
+/// What planning builds up.
+pub(crate) struct Context<'a> {
+    pub pipeline: &'a Pipeline,
+    pub facts: &'a SceneFacts,
+    pub format: &'a dyn StorageFormat,
+    pub encoding: Encoding,
+    pub grid: Grid,
+    pub screen: [u32; 2],
+    pub library: Library,
+    pub area_lights: bool,
+    /// Names in the graph that some planned pass makes.
+    pub available: BTreeSet<String>,
+    /// Images of `surface` that some planned pass, or the output, uses.
+    pub surface_images: BTreeSet<&'static str>,
+    pub shaders: Vec<Shader>,
+    linked: BTreeMap<(String, String), usize>,
+    pub resources: Vec<Resource>,
+    pub left_out: Vec<LeftOut>,
+    pub faults: Faults,
+    /// The buffer with every voxel's light that stays from bounce to bounce.
+    pub radiance: usize,
+}
+
+impl<'a> Context<'a> {
+    #[expect(clippy::too_many_arguments, reason = "the one place where a context is made")]
+    pub fn new(
+        pipeline: &'a Pipeline,
+        facts: &'a SceneFacts,
+        format: &'a dyn StorageFormat,
+        encoding: Encoding,
+        grid: Grid,
+        screen: [u32; 2],
+        library: Library,
+        area_lights: bool,
+    ) -> Context<'a> {
+        Context {
+            pipeline,
+            facts,
+            format,
+            encoding,
+            grid,
+            screen,
+            library,
+            area_lights,
+            available: BTreeSet::new(),
+            surface_images: BTreeSet::new(),
+            shaders: Vec::new(),
+            linked: BTreeMap::new(),
+            resources: Vec::new(),
+            left_out: Vec::new(),
+            faults: Faults::default(),
+            radiance: 0,
+        }
+    }
+
+    /// The resource called `name`, made as `kind` at its first use.
+    pub fn resource(&mut self, name: &str, kind: ResourceKind) -> usize {
+        let known = self.resources.iter().position(|resource| resource.name == name);
+        known.unwrap_or_else(|| {
+            self.resources.push(Resource { name: name.to_owned(), kind });
+            self.resources.len() - 1
+        })
+    }
+
+    fn known(&self, name: &str) -> Option<usize> {
+        self.resources.iter().position(|resource| resource.name == name)
+    }
+
+    /// Links and checks a module, once for each effect.
+    fn shader(&mut self, entry: &str, effect: &str) -> Option<usize> {
+        let key = (entry.to_owned(), effect.to_owned());
+        if let Some(shader) = self.linked.get(&key) {
+            return Some(*shader);
+        }
+        let mut mounts = vec![("format", self.format.modules())];
+        if !effect.is_empty() {
+            mounts.push(("effect", effect));
+        }
+        let checked = link(&self.library, entry, &mounts).and_then(voxlume_shader::Linked::check);
+        let shader = self.faults.gather(checked)?;
+        self.shaders.push(shader);
+        self.linked.insert(key, self.shaders.len() - 1);
+        Some(self.shaders.len() - 1)
+    }
+
+    /// Checks an effect's module by itself, so that faults point into it.
+    pub fn effect(&mut self, module: &str) -> Option<()> {
+        let mounts = [("format", self.format.modules())];
+        let checked = link(&self.library, module, &mounts).and_then(voxlume_shader::Linked::check);
+        let shader = self.faults.gather(checked)?;
+        self.faults.gather(shader.fulfils(&EFFECT, module))
+    }
+
+    /// Values for the scene-wide `override`s.
+    fn constants(&self) -> Vec<(&'static str, f64)> {
+        let facts = self.facts;
+        let flag = |on: bool| f64::from(u8::from(on));
+        vec![
+            ("HAS_TEXTURES", flag(facts.textured)),
+            ("HAS_ALPHA_MASK", flag(facts.masked)),
+            ("HAS_EMISSION", flag(self.voxel_emission())),
+            ("HAS_VOXEL_EMISSION", flag(self.voxel_emission())),
+            ("HAS_DIRECTIONAL", flag(facts.directional > 0)),
+            ("HAS_POINT", flag(facts.point > 0)),
+            ("HAS_SPOT", flag(facts.spot > 0)),
+            ("HAS_AREA", flag(self.area_lights)),
+            ("CONSERVATIVE", flag(self.pipeline.separability.value == "conservative")),
+            ("ATTRIBUTE_STRIDE", f64::from(self.attribute_stride())),
+        ]
+    }
+
+    /// Whether voxels hold emission.
+    pub fn voxel_emission(&self) -> bool {
+        self.facts.emissive && !self.area_lights
+    }
+
+    /// Words of a voxel's attributes: weight, reflectance, normal, and emission if there is any.
+    pub fn attribute_stride(&self) -> u32 {
+        if self.voxel_emission() { 10 } else { 7 }
+    }
+
+    /// Lights of all kinds.
+    pub fn light_count(&self) -> u32 {
+        let polygons = if self.area_lights { self.facts.polygons.unwrap_or(0) } else { 0 };
+        self.facts.punctual() + polygons
+    }
+}
+
+/// One pass on its way to steps.
+pub(crate) struct Expansion<'c, 'a> {
+    pub context: &'c mut Context<'a>,
+    pub entry: &'a PassEntry,
+    pub kind: &'static Kind,
+    pub params: Params<'a>,
+    pub steps: Vec<Step>,
+    used: BTreeSet<String>,
+    uniform: Option<Target>,
+}
+
+/// What a program is bound to beside the variables that everybody knows.
+#[derive(Default)]
+pub(crate) struct Binds<'b> {
+    pub targets: &'b [(&'b str, Target)],
+    pub constants: &'b [(&'b str, bool)],
+    pub effect: &'b str,
+}
+
+impl<'c, 'a> Expansion<'c, 'a> {
+    pub fn new(context: &'c mut Context<'a>, entry: &'a PassEntry, kind: &'static Kind) -> Expansion<'c, 'a> {
+        let params = Params::of(context.pipeline, entry);
+        Expansion { context, entry, kind, params, steps: Vec::new(), used: BTreeSet::new(), uniform: None }
+    }
+
+    /// Links a shader and binds what one entry point of it uses.
+    pub fn program(&mut self, module: &str, entry: &'static str, binds: &Binds<'_>) -> Option<Program> {
+        self.program_of(module, &[entry], binds)
+    }
+
+    /// Links a shader and binds what several of its entry points use together.
+    pub fn program_of(&mut self, module: &str, entries: &[&'static str], binds: &Binds<'_>) -> Option<Program> {
+        let shader = self.context.shader(module, binds.effect)?;
+        let mut bindings: Vec<Binding> = Vec::new();
+        for entry in entries {
+            for binding in self.context.shaders[shader].bindings(entry) {
+                if !bindings.iter().any(|other| (other.group, other.binding) == (binding.group, binding.binding)) {
+                    bindings.push(binding);
+                }
+            }
+        }
+        bindings.sort_by_key(|binding| (binding.group, binding.binding));
+        let binds_of = bindings
+            .into_iter()
+            .map(|binding| {
+                let given = binds.targets.iter().find(|(name, _)| *name == binding.name);
+                let target = match given {
+                    Some((_, target)) => target.clone(),
+                    None => self.target(&binding, shader)?,
+                };
+                Some(Bind { group: binding.group, binding: binding.binding, name: binding.name, kind: binding.kind, target })
+            })
+            .collect::<Vec<Option<Bind>>>();
+        let constants = self.constants(shader, binds.constants);
+        Some(Program {
+            shader,
+            entry: entries[0],
+            constants,
+            binds: binds_of.into_iter().collect::<Option<Vec<Bind>>>()?,
+        })
+    }
+
+    fn constants(&self, shader: usize, own: &[(&str, bool)]) -> Vec<(String, f64)> {
+        let declared = self.context.shaders[shader].overrides();
+        let known = self.context.constants();
+        declared
+            .iter()
+            .filter_map(|item| {
+                let given = own.iter().find(|(name, _)| *name == item.name).map(|(_, on)| f64::from(u8::from(*on)));
+                let value = given.or_else(|| known.iter().find(|(name, _)| *name == item.name).map(|(_, v)| *v));
+                // `HAS_X` of an image x says whether it is there to be read.
+                let image = || {
+                    let image = item.name.strip_prefix("HAS_")?.to_lowercase();
+                    Some(f64::from(u8::from(self.reads(&image) && self.context.available.contains(&image))))
+                };
+                Some((item.name.clone(), value.or_else(image)?))
+            })
+            .collect()
+    }
+
+    /// Whether the entry says that it reads `name`.
+    pub fn reads(&self, name: &str) -> bool {
+        self.entry.reads.iter().any(|read| read.value == name)
+    }
+
+    fn target(&mut self, binding: &Binding, shader: usize) -> Option<Target> {
+        let name = binding.name.as_str();
+        if SCENE.contains(&name) {
+            return Some(Target::Resource(self.context.resource(name, ResourceKind::Scene)));
+        }
+        if name == "params" {
+            return self.uniform(shader);
+        }
+        let volumes = self.context.format.volumes();
+        let group = if VOXELS.contains(&name) {
+            "voxels"
+        } else if volumes.iter().any(|volume| volume.name == name) {
+            "volume"
+        } else if SURFACE_IMAGES.contains(&name) {
+            "surface"
+        } else {
+            name
+        };
+        let all = || self.entry.reads.iter().chain(&self.entry.writes).chain(&self.entry.updates);
+        if all().any(|entry| entry.value == group) {
+            self.used.insert(group.to_owned());
+            return Some(self.context.known(name).map_or(Target::Nothing, Target::Resource));
+        }
+        let optional = self.kind.reads.iter().any(|port| port.name == group && port.optional);
+        let guarded = self.context.shaders[shader].overrides().iter().any(|o| o.name == format!("HAS_{}", name.to_uppercase()));
+        if optional || guarded {
+            return Some(Target::Nothing);
+        }
+        let message = format!("pass `{}` uses `{group}` without reading it", self.entry.name);
+        let label = format!("its shader's variable `{name}` needs `{group}` in `reads`");
+        let fault = self.context.pipeline.fault(&self.entry.run.span, message, label);
+        self.context.faults.push(fault);
+        None
+    }
+
+    /// Says that the pass uses a resource of the graph otherwise than through a variable.
+    pub fn uses(&mut self, name: &str) {
+        self.used.insert(name.to_owned());
+    }
+
+    /// Reports what the entry names and the pass never used, and parameters that nobody read.
+    pub fn finish(self) -> Vec<Step> {
+        for name in &self.entry.reads {
+            if !self.used.contains(&name.value) && self.context.faults.is_empty() {
+                let message = format!("pass `{}` never uses `{}`", self.entry.name, name.value);
+                self.context.faults.push(self.context.pipeline.fault(&name.span, message, "read in vain"));
+            }
+        }
+        self.params.finish(&mut self.context.faults);
+        self.steps
+    }
+
+    /// The `Params` of the pass's shader, read once however often it is bound.
+    fn uniform(&mut self, shader: usize) -> Option<Target> {
+        if self.uniform.is_none() {
+            let shader = &self.context.shaders[shader];
+            let layout = shader.struct_layout("Params")?;
+            let bytes = self.params.uniform(shader, &layout, &mut self.context.faults);
+            self.uniform = Some(Target::Uniform(bytes));
+        }
+        self.uniform.clone()
+    }
+}
+
+/// The uniform that says which repetition of a pass this is.
+pub(crate) fn step_params(level: u32) -> (&'static str, Target) {
+    let mut bytes = vec![0; 16];
+    bytes[..4].copy_from_slice(&level.to_le_bytes());
+    ("step_params", Target::Uniform(bytes))
+}
+
+/// Workgroups for so many items in a row: x, then rows of at most `ROW_GROUPS` (see wgsl/common/dispatch.wgsl).
+pub(crate) fn groups_for(items: u32, size: u32) -> [u32; 3] {
+    const ROW_GROUPS: u32 = 32768;
+    let groups = items.div_ceil(size);
+    [groups.min(ROW_GROUPS), groups.div_ceil(ROW_GROUPS), 1]
+}

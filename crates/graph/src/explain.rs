@@ -1,0 +1,87 @@
+//! A plan in words.
+
+use std::fmt::Write;
+
+use crate::plan::{Groups, Plan, ResourceKind, Step};
+
+/// The passes in order, the resources with their bytes, and what was left out.
+pub fn explain(plan: &Plan) -> String {
+    let mut text = String::new();
+    let [x, y, z] = plan.grid.size;
+    let [width, height] = plan.screen;
+    // Writing to a string can't fail.
+    let _ = writeln!(
+        text,
+        "{} {} · grid {x} × {y} × {z}, voxels of {:.4} · {width} × {height} pixels · {} triangles\n",
+        plan.format,
+        plan.encoding.name(),
+        plan.grid.voxel_size,
+        plan.triangles
+    );
+    let _ = writeln!(text, "passes");
+    for pass in &plan.passes {
+        let names = |list: &[String]| if list.is_empty() { "nothing".to_owned() } else { list.join(", ") };
+        let once = if pass.once { ", once" } else { "" };
+        let _ = writeln!(text, "  {:<18} {} → {}{once}", pass.name, names(&pass.reads), names(&pass.writes));
+        let _ = writeln!(text, "  {:<18}   {}", "", work(pass.steps.iter()));
+    }
+    let _ = writeln!(text, "\nresources");
+    for (index, resource) in plan.resources.iter().enumerate() {
+        let size = match &resource.kind {
+            ResourceKind::Scene => continue,
+            ResourceKind::PerVoxel(bytes) => format!("{bytes} B × occupied voxels"),
+            ResourceKind::PerCell(bytes) => format!("{bytes} B × occupied cells of all levels"),
+            _ => plan.bytes(index, 0, 0).map(mebibytes).unwrap_or_default(),
+        };
+        let _ = writeln!(text, "  {:<18} {:<34} {size}", resource.name, shape(plan, &resource.kind));
+    }
+    let _ = writeln!(text, "\nleft out");
+    for item in &plan.left_out {
+        let saved = if item.bytes > 0 { format!(" (saves {})", mebibytes(item.bytes)) } else { String::new() };
+        let _ = writeln!(text, "  {:<38} {}{saved}", item.what, item.why);
+    }
+    text
+}
+
+fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
+    let (mut compute, mut indirect, mut draws) = (0, 0, 0);
+    for step in steps {
+        match step {
+            Step::Compute { groups: Groups::Fixed(_), .. } => compute += 1,
+            Step::Compute { groups: Groups::Indirect { .. }, .. } => indirect += 1,
+            Step::Draw { .. } => draws += 1,
+            Step::Clear(_) | Step::Counted => {}
+        }
+    }
+    let parts = [(compute, "dispatch"), (indirect, "indirect dispatch"), (draws, "draw")];
+    let words: Vec<String> = parts
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, what)| match count {
+            1 => format!("1 {what}"),
+            _ => format!("{count} {what}{}", if what.ends_with('h') { "es" } else { "s" }),
+        })
+        .collect();
+    words.join(", ")
+}
+
+fn shape(plan: &Plan, kind: &ResourceKind) -> String {
+    let [width, height] = plan.screen;
+    match kind {
+        ResourceKind::Scene => String::new(),
+        ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
+        ResourceKind::Volume { size: [x, y, z], mips, encoding } => {
+            format!("{x} × {y} × {z} {}, {mips} level{}", encoding.name(), if *mips == 1 { "" } else { "s" })
+        }
+        ResourceKind::Image { layers, .. } => format!("{width} × {height} image, {layers} layer(s)"),
+        ResourceKind::ShadowMaps { size, layers } => format!("{size} × {size} depth, {layers} layer(s)"),
+    }
+}
+
+fn mebibytes(bytes: u64) -> String {
+    if bytes < 1 << 20 {
+        format!("{:.1} KiB", bytes as f64 / f64::from(1 << 10))
+    } else {
+        format!("{:.2} MiB", bytes as f64 / f64::from(1 << 20))
+    }
+}

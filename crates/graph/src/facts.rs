@@ -1,0 +1,91 @@
+//! What of a scene a plan depends on.
+
+use glam::DVec3;
+use voxlume_scene::{LightKind, Scene};
+
+/// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
+pub const AREA_LIGHT_LIMIT: usize = 16;
+
+/// What a scene needs, so that a plan models only that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneFacts {
+    /// Lowest and highest corner, world space; `None` without triangles.
+    pub bounds: Option<(DVec3, DVec3)>,
+    /// Triangles of all instances.
+    pub triangles: u32,
+    /// Vertices of all instances.
+    pub vertices: u32,
+    /// Materials.
+    pub materials: u32,
+    /// Directional, point and spot lights.
+    pub directional: u32,
+    /// Point lights.
+    pub point: u32,
+    /// Spot lights.
+    pub spot: u32,
+    /// Planar emissive polygons; `None` where emission is not a few plain polygons.
+    pub polygons: Option<u32>,
+    /// Whether any material emits.
+    pub emissive: bool,
+    /// Whether any material has a texture.
+    pub textured: bool,
+    /// Colour textures and data textures.
+    pub texture_layers: [u32; 2],
+    /// Side of every texture layer in texels.
+    pub texture_size: u32,
+    /// Whether any material has an alpha mask.
+    pub masked: bool,
+    /// Whether any material is metallic or smoother than fully rough.
+    pub glossy: bool,
+    /// Whether any instance moves.
+    pub moving: bool,
+}
+
+/// Largest side of a texture layer, texels.
+const TEXTURE_SIZE_LIMIT: u32 = 1024;
+
+impl SceneFacts {
+    /// Reads them off a scene.
+    pub fn of(scene: &Scene) -> SceneFacts {
+        let meshes = || scene.instances.iter().map(|instance| &scene.meshes[instance.mesh]);
+        let used: Vec<_> = {
+            let mut used = vec![false; scene.materials.len()];
+            meshes().for_each(|mesh| used[mesh.material] = true);
+            scene.materials.iter().zip(used).filter(|(_, used)| *used).map(|(material, _)| material).collect()
+        };
+        let count = |kind: fn(&LightKind) -> bool| scene.lights.iter().filter(|l| kind(&l.kind)).count() as u32;
+        let largest = scene.textures.iter().map(|t| t.width.max(t.height)).max().unwrap_or(1);
+        let srgb = scene.textures.iter().filter(|texture| texture.srgb).count() as u32;
+        let emissive = used.iter().any(|material| material.emission.max_element() > 0.0);
+        let polygons = scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
+        SceneFacts {
+            bounds: scene.bounds(),
+            triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
+            vertices: meshes().map(|mesh| mesh.positions.len() as u32).sum(),
+            materials: scene.materials.len() as u32,
+            directional: count(|kind| matches!(kind, LightKind::Directional { .. })),
+            point: count(|kind| matches!(kind, LightKind::Point { .. })),
+            spot: count(|kind| matches!(kind, LightKind::Spot { .. })),
+            polygons,
+            emissive,
+            textured: used.iter().any(|material| {
+                material.base_color_texture.is_some()
+                    || material.metallic_roughness_texture.is_some()
+                    || material.normal_texture.is_some()
+                    || material.emission_texture.is_some()
+            }),
+            texture_layers: [srgb, scene.textures.len() as u32 - srgb],
+            texture_size: largest.next_power_of_two().min(TEXTURE_SIZE_LIMIT),
+            masked: used.iter().any(|material| material.alpha_cutoff.is_some()),
+            glossy: used.iter().any(|material| {
+                material.metallic > 0.0 || material.roughness < 1.0 || material.metallic_roughness_texture.is_some()
+            }),
+            moving: scene.instances.iter().any(|instance| instance.moving),
+        }
+    }
+
+    /// Lights without a surface in the scene.
+    pub fn punctual(&self) -> u32 {
+        self.directional + self.point + self.spot
+    }
+}

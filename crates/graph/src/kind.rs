@@ -1,0 +1,171 @@
+//! The kinds of passes, one table.
+
+use crate::expand;
+use crate::expand::Expansion;
+
+/// A kind of pass: what it takes, what it makes, and how it becomes steps.
+#[derive(Debug)]
+pub struct Kind {
+    /// The word after `run:`.
+    pub name: &'static str,
+    /// What it does.
+    pub sentence: &'static str,
+    /// What it may read.
+    pub reads: &'static [Port],
+    /// What it makes.
+    pub writes: &'static [Port],
+    /// What it changes.
+    pub updates: &'static [Port],
+    /// Its parameters beside those in its shader's `Params`.
+    pub words: &'static [ParamWords],
+    pub(crate) expand: fn(&mut Expansion<'_, '_>),
+}
+
+/// A resource that a kind of pass reads, makes or changes.
+#[derive(Debug)]
+pub struct Port {
+    /// Name of the resource.
+    pub name: &'static str,
+    /// What it is.
+    pub sentence: &'static str,
+    /// Whether the pass can do without.
+    pub optional: bool,
+}
+
+/// A parameter that decides what is planned.
+#[derive(Debug)]
+pub struct ParamWords {
+    /// Its name.
+    pub name: &'static str,
+    /// What it decides.
+    pub sentence: &'static str,
+    /// Its values: words, or a range of whole numbers.
+    pub values: Values,
+}
+
+/// Values of a [`ParamWords`].
+#[derive(Debug)]
+pub enum Values {
+    /// One of these words.
+    Words(&'static [&'static str]),
+    /// A whole number in this range, ends included.
+    Whole(u32, u32),
+}
+
+const fn port(name: &'static str, sentence: &'static str) -> Port {
+    Port { name, sentence, optional: false }
+}
+
+const fn optional(name: &'static str, sentence: &'static str) -> Port {
+    Port { name, sentence, optional: true }
+}
+
+const VOXELS: Port = port("voxels", "occupied voxels with reflectance, normal and emission");
+const VOLUME: Port = port("volume", "filtered radiance and opacity, in the storage format");
+
+/// All kinds but the effects, which are WGSL files.
+pub const KINDS: &[Kind] = &[
+    Kind {
+        name: "voxelize",
+        sentence: "finds the voxels that triangles overlap and sums their attributes",
+        reads: &[],
+        writes: &[VOXELS],
+        updates: &[],
+        words: &[],
+        expand: expand::voxelize::voxelize,
+    },
+    Kind {
+        name: "shadow_maps",
+        sentence: "draws the scene's depth from every directional, spot and point light",
+        reads: &[],
+        writes: &[port("shadow_maps", "depth maps")],
+        updates: &[],
+        words: &[ParamWords { name: "size", sentence: "side of a map in texels", values: Values::Whole(16, 4096) }],
+        expand: expand::shadow_maps::shadow_maps,
+    },
+    Kind {
+        name: "emission",
+        sentence: "lets every voxel gather what emissive surfaces emit, once",
+        reads: &[VOXELS],
+        writes: &[port("emitted", "each voxel's emission and what it reflects of the others'")],
+        updates: &[],
+        words: &[],
+        expand: expand::light::emission,
+    },
+    Kind {
+        name: "light",
+        sentence: "lights every voxel directly",
+        reads: &[
+            VOXELS,
+            optional("shadow_maps", "depth maps, for occlusion"),
+            optional("emitted", "emission, where it is not area lights"),
+        ],
+        writes: &[port("radiance", "each voxel's outgoing radiance")],
+        updates: &[],
+        words: &[
+            ParamWords {
+                name: "occlusion",
+                sentence: "what tells whether a voxel sees a light",
+                values: Values::Words(&["shadow_map", "voxel_ray"]),
+            },
+            ParamWords {
+                name: "emission",
+                sentence: "a few emissive polygons as area lights, or all emission gathered from voxels",
+                values: Values::Words(&["area_lights", "gather"]),
+            },
+        ],
+        expand: expand::light::light,
+    },
+    Kind {
+        name: "filter",
+        sentence: "stores the voxels' radiance in the storage format and makes its coarser levels",
+        reads: &[VOXELS, port("radiance", "each voxel's outgoing radiance")],
+        writes: &[VOLUME],
+        updates: &[],
+        words: &[],
+        expand: expand::light::filter,
+    },
+    Kind {
+        name: "bounce",
+        sentence: "lets every voxel gather the volume, adds what it reflects and filters again, so many times",
+        reads: &[VOXELS, port("radiance", "each voxel's outgoing radiance")],
+        writes: &[],
+        updates: &[VOLUME],
+        words: &[ParamWords { name: "bounces", sentence: "how many times", values: Values::Whole(0, 16) }],
+        expand: expand::light::bounce,
+    },
+    Kind {
+        name: "gbuffer",
+        sentence: "draws what the camera sees",
+        reads: &[],
+        writes: &[port("surface", "albedo, normal, geometry, emission and depth, one image each")],
+        updates: &[],
+        words: &[],
+        expand: expand::gbuffer::gbuffer,
+    },
+    Kind {
+        name: "composite",
+        sentence: "adds up the image",
+        reads: &[
+            port("surface", "what the camera sees"),
+            optional("shadow", "share of each light that arrives"),
+            optional("ao", "ambient openness"),
+            port("diffuse", "gathered irradiance"),
+            optional("specular", "gathered glossy radiance"),
+        ],
+        writes: &[port("final", "linear radiance")],
+        updates: &[],
+        words: &[],
+        expand: expand::screen::screen,
+    },
+];
+
+/// Images that `surface` stands for.
+pub const SURFACE_IMAGES: [&str; 5] = ["albedo", "normal", "geometry", "depth", "emission"];
+
+impl Kind {
+    /// The kind called `name`.
+    pub fn get(name: &str) -> Option<&'static Kind> {
+        KINDS.iter().find(|kind| kind.name == name)
+    }
+}

@@ -1,0 +1,208 @@
+//! Pipelines as RON describes them.
+
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use voxlume_fault::ron::{Document, Fields, Node};
+use voxlume_fault::{Fault, Faults, Source};
+
+/// A pipeline file, read but not yet checked against shaders, formats and a scene.
+#[derive(Clone, Debug)]
+pub struct Pipeline {
+    /// The file.
+    pub source: Arc<Source>,
+    /// Name of the storage format.
+    pub format: Located<String>,
+    /// Name of the texel encoding.
+    pub encoding: Located<String>,
+    /// Voxels along the grid's longest side.
+    pub resolution: Located<u32>,
+    /// Thin (6) or conservative (26).
+    pub separability: Located<String>,
+    /// Name of the image that is the result.
+    pub output: Located<String>,
+    /// The passes, in any order.
+    pub passes: Vec<PassEntry>,
+}
+
+/// A value and where it stands; an override from outside the file has no place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Located<T> {
+    /// The value.
+    pub value: T,
+    /// Bytes in the pipeline's file.
+    pub span: Option<Range<usize>>,
+}
+
+/// A pass as RON describes it.
+#[derive(Clone, Debug)]
+pub struct PassEntry {
+    /// Unique; the last part of `run` unless given.
+    pub name: String,
+    /// What it runs: a kind of pass, `effect/<name>`, or a path of a `.wgsl` file beside the pipeline.
+    pub run: Located<String>,
+    /// Resources that it reads.
+    pub reads: Vec<Located<String>>,
+    /// Resources that it makes.
+    pub writes: Vec<Located<String>>,
+    /// Resources that it reads and changes, after the one that makes them and before all that read them.
+    pub updates: Vec<Located<String>>,
+    /// What the scene must have for the pass to run.
+    pub when: Option<Located<String>>,
+    /// Layers of the image that it writes: one, or one for each four lights.
+    pub layers: Option<Located<String>>,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// Bytes of the entry's first word, for faults about the whole.
+    pub span: Range<usize>,
+}
+
+/// A parameter of a pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub name_span: Option<Range<usize>>,
+    /// Its value.
+    pub value: Value,
+    /// Where the value stands.
+    pub span: Option<Range<usize>>,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A finite number.
+    Number(f64),
+    /// A word such as `"spheres"`.
+    Word(String),
+    /// Numbers of a vector.
+    Vector(Vec<f64>),
+}
+
+impl Pipeline {
+    /// Reads a pipeline file.
+    ///
+    /// # Errors
+    /// Every fault in its form, with its place.
+    pub fn load(path: &Path) -> Result<Pipeline, Faults> {
+        Pipeline::parse(&Source::read(path)?)
+    }
+
+    /// Reads a pipeline from a text.
+    ///
+    /// # Errors
+    /// Every fault in its form, with its place.
+    pub fn parse(source: &Arc<Source>) -> Result<Pipeline, Faults> {
+        let document = Document::parse(source)?;
+        let mut faults = Faults::default();
+        let mut fields = Fields::of(document.root())?;
+        let format = located::<String>(&mut fields, "format", &mut faults);
+        let encoding = located::<String>(&mut fields, "encoding", &mut faults);
+        let resolution = located::<u32>(&mut fields, "resolution", &mut faults);
+        let separability = located::<String>(&mut fields, "separability", &mut faults);
+        let output = located::<String>(&mut fields, "output", &mut faults);
+        let passes = fields
+            .required_node("passes", &mut faults)
+            .and_then(|node| faults.gather(node.items()))
+            .map(|items| items.iter().filter_map(|item| pass_entry(*item, &mut faults)).collect());
+        fields.finish(&mut faults);
+        let pipeline = (|| {
+            Some(Pipeline {
+                source: Arc::clone(source),
+                format: format?,
+                encoding: encoding?,
+                resolution: resolution?,
+                separability: separability?,
+                output: output?,
+                passes: passes?,
+            })
+        })();
+        match pipeline {
+            Some(pipeline) if faults.is_empty() => Ok(pipeline),
+            _ => Err(faults),
+        }
+    }
+
+    /// A fault at a place of this file, or without one for a value from elsewhere.
+    pub fn fault(&self, span: &Option<Range<usize>>, message: impl Into<String>, label: impl Into<String>) -> Fault {
+        let fault = Fault::new(message);
+        match span {
+            Some(span) => fault.at(&self.source, span.clone(), label),
+            None => {
+                let label = label.into();
+                if label.is_empty() { fault } else { fault.note(label) }
+            }
+        }
+    }
+}
+
+fn located<T: voxlume_fault::ron::FromRon>(
+    fields: &mut Fields<'_>,
+    name: &str,
+    faults: &mut Faults,
+) -> Option<Located<T>> {
+    let node = fields.required_node(name, faults)?;
+    let value = faults.gather(node.get())?;
+    Some(Located { value, span: Some(node.span()) })
+}
+
+fn names(fields: &mut Fields<'_>, name: &str, faults: &mut Faults) -> Vec<Located<String>> {
+    let items = fields.node(name).and_then(|node| faults.gather(node.items())).unwrap_or_default();
+    items
+        .iter()
+        .filter_map(|item| Some(Located { value: faults.gather(item.get())?, span: Some(item.span()) }))
+        .collect()
+}
+
+fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
+    let mut fields = faults.gather(Fields::of(node))?;
+    let run = located::<String>(&mut fields, "run", faults);
+    let name = fields.optional::<String>("name", faults);
+    let reads = names(&mut fields, "reads", faults);
+    let writes = names(&mut fields, "writes", faults);
+    let updates = names(&mut fields, "updates", faults);
+    let mut word = |name: &str, faults: &mut Faults| {
+        let node = fields.node(name)?;
+        Some(Located { value: faults.gather(node.get())?, span: Some(node.span()) })
+    };
+    let when = word("when", faults);
+    let layers = word("layers", faults);
+    let params = match fields.node("params").map(|node| faults.gather(node.fields())) {
+        Some(Some(list)) => list
+            .iter()
+            .filter_map(|field| {
+                Some(Param {
+                    name: field.name.to_owned(),
+                    name_span: Some(field.span.clone()),
+                    value: faults.gather(value(field.value))?,
+                    span: Some(field.value.span()),
+                })
+            })
+            .collect(),
+        _ => Vec::new(),
+    };
+    fields.finish(faults);
+    let run = run?;
+    let stem = run.value.rsplit('/').next().unwrap_or_default().trim_end_matches(".wgsl").to_owned();
+    Some(PassEntry { name: name.unwrap_or(stem), run, reads, writes, updates, when, layers, params, span: node.head() })
+}
+
+fn value(node: Node<'_>) -> Result<Value, Faults> {
+    let finite = |number: f64| {
+        if number.is_finite() { Ok(number) } else { Err(node.fault("a parameter must be finite", "")) }
+    };
+    if node.text().starts_with(['"', 'r']) {
+        return Ok(Value::Word(node.get()?));
+    }
+    if node.delimiter().is_some() {
+        let numbers: Vec<f64> = node.get()?;
+        return Ok(Value::Vector(numbers.into_iter().map(finite).collect::<Result<_, _>>()?));
+    }
+    if matches!(node.text(), "true" | "false") {
+        return Ok(Value::Number(f64::from(u8::from(node.text() == "true"))));
+    }
+    Ok(Value::Number(finite(node.get()?)?))
+}

@@ -1,0 +1,25 @@
+//! Cameras aimed.
+
+use glam::{DVec3, Vec3};
+
+use crate::Camera;
+
+impl Camera {
+    /// A camera at `eye` that sees `target` in the middle of its picture, `up` upwards.
+    ///
+    /// `vertical_fov` is in radians, in (0, π). `None` if there is no such view: `eye` is at `target`, `up` is along the line between
+    /// them, or a number is not finite.
+    pub fn look_at(
+        name: impl Into<String>,
+        eye: DVec3,
+        target: DVec3,
+        up: DVec3,
+        vertical_fov: f32,
+    ) -> Option<Camera> {
+        let forward = (target - eye).try_normalize()?;
+        let up = up.try_normalize()?.reject_from_normalized(forward);
+        // Rounding leaves a direction of sorts even where there is none.
+        let up: Vec3 = up.try_normalize().filter(|_| up.length() > 1e-6)?.as_vec3();
+        Some(Camera { name: name.into(), eye, forward: forward.as_vec3(), up, vertical_fov })
+    }
+}

@@ -1,0 +1,58 @@
+//! `lights`.
+
+use glam::Vec3;
+use voxlume_fault::Faults;
+use voxlume_fault::ron::{Fields, Node};
+
+use super::value;
+use crate::{Light, LightKind};
+
+/// `None` only with a fault.
+pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<Light>, Faults> {
+    let kind = value::kind(node, "light", &["Directional", "Point", "Spot"])?;
+    let mut faults = Faults::default();
+    let mut fields = Fields::of(node)?;
+    let name = fields.or("name", format!("light {index}"), &mut faults);
+    let light = match kind {
+        "Directional" => directional(&mut fields, &mut faults),
+        "Point" => point(&mut fields, &mut faults),
+        _ => spot(&mut fields, &mut faults),
+    };
+    fields.finish(&mut faults);
+    faults.into_result(light.map(|(kind, intensity)| Light { name, kind, intensity }))
+}
+
+fn directional(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3)> {
+    let direction = value::direction(fields, "direction", faults);
+    let irradiance = value::colour(fields, "irradiance", None, faults);
+    let disc = (|v: f32| (0.0..180.0).contains(&v), "at least 0 and below 180");
+    let diameter = value::checked(fields, "angular_diameter_deg", Some(0.0), disc, faults);
+    let kind = LightKind::Directional { direction: direction?, angular_diameter: diameter?.to_radians() };
+    Some((kind, irradiance?))
+}
+
+fn point(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3)> {
+    let position = value::vector(fields, "position", None, faults);
+    let intensity = value::colour(fields, "intensity", None, faults);
+    let radius = radius(fields, faults);
+    Some((LightKind::Point { position: position?, radius: radius? }, intensity?))
+}
+
+fn spot(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3)> {
+    let position = value::vector(fields, "position", None, faults);
+    let direction = value::direction(fields, "direction", faults);
+    let intensity = value::colour(fields, "intensity", None, faults);
+    let radius = radius(fields, faults);
+    let inner = fields.or("inner_deg", 0.0_f32, faults);
+    let outer = fields.or("outer_deg", 45.0_f32, faults);
+    let cone = crate::light::cone(inner.to_radians(), outer.to_radians());
+    let whole = fields.whole();
+    let (inner, outer) =
+        faults.gather(cone.map_err(|e| whole.fault(e, "its `inner_deg` and `outer_deg`")))?;
+    let kind = LightKind::Spot { position: position?, direction: direction?, radius: radius?, inner, outer };
+    Some((kind, intensity?))
+}
+
+fn radius(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<f32> {
+    value::checked(fields, "radius", Some(0.0), (|v: f32| v >= 0.0, "at least 0"), faults)
+}

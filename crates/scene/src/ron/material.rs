@@ -1,0 +1,65 @@
+//! `materials`.
+
+use glam::Vec4;
+use voxlume_fault::Faults;
+use voxlume_fault::ron::{FromRon, Node};
+
+use super::value::{self, Colour};
+use crate::Material;
+
+pub(super) fn read(node: Node<'_>) -> Result<Vec<Material>, Faults> {
+    let mut faults = Faults::default();
+    let mut materials: Vec<Material> = Vec::new();
+    for (key, value) in node.entries()? {
+        let Some(name) = faults.gather(key.get::<String>()) else { continue };
+        if materials.iter().any(|known| known.name == name) {
+            faults.push(key.fault(format!("material `{name}` given twice"), "the second"));
+        }
+        // A faulty material still has a name that objects may use.
+        let material = faults.gather(material(value)).flatten().unwrap_or_default();
+        materials.push(Material { name, ..material });
+    }
+    faults.into_result(materials)
+}
+
+/// `None` only with a fault.
+fn material(node: Node<'_>) -> Result<Option<Material>, Faults> {
+    let mut faults = Faults::default();
+    let mut fields = value::unnamed(node)?;
+    let grey = Rgba(Vec4::new(0.8, 0.8, 0.8, 1.0));
+    let unit = |v: Rgba| v.0.min_element() >= 0.0 && v.0.max_element() <= 1.0;
+    let base_color =
+        value::checked(&mut fields, "base_color", Some(grey), (unit, "from 0 to 1"), &mut faults);
+    let metallic = value::fraction(&mut fields, "metallic", 0.0, &mut faults);
+    let roughness = value::fraction(&mut fields, "roughness", 1.0, &mut faults);
+    let emission = value::colour(&mut fields, "emission", Some(0.0), &mut faults);
+    let masked = fields.node("alpha_cutoff").is_some();
+    let cutoff = value::fraction(&mut fields, "alpha_cutoff", 0.5, &mut faults);
+    let double_sided = fields.or("double_sided", false, &mut faults);
+    fields.finish(&mut faults);
+    let material = || {
+        Some(Material {
+            base_color: base_color?.0,
+            metallic: metallic?,
+            roughness: roughness?,
+            emission: emission?,
+            alpha_cutoff: cutoff.filter(|_| masked),
+            double_sided,
+            ..Material::default()
+        })
+    };
+    faults.into_result(material())
+}
+
+/// A colour, or four parts with alpha.
+#[derive(Clone, Copy)]
+struct Rgba(Vec4);
+
+impl FromRon for Rgba {
+    fn from_ron(node: Node<'_>) -> Result<Self, Faults> {
+        match node.items().map_or(0, |items| items.len()) {
+            4 => Ok(Rgba(node.get::<[f32; 4]>()?.into())),
+            _ => Ok(Rgba(node.get::<Colour>()?.0.extend(1.0))),
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! Every module that comes with Voxlume is valid, with every format and effect.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::collections::BTreeSet;
+
+use voxlume_shader::{Library, check_all};
+
+#[test]
+fn every_builtin_module_is_valid() {
+    let library = Library::builtin();
+    let in_folder = |folder: &str, depth: usize| {
+        let paths = library.paths().filter(|path| path.split('/').next() == Some(folder));
+        paths.map(|path| path.split('/').take(depth).collect::<Vec<_>>().join("/")).collect::<BTreeSet<_>>()
+    };
+    let (formats, effects) = (in_folder("format", 2), in_folder("effect", 2));
+    assert!(!formats.is_empty() && !effects.is_empty());
+    let formats: Vec<&str> = formats.iter().map(String::as_str).collect();
+    let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
+
+    let faults = check_all(&library, &[("format", &formats), ("effect", &effects)]);
+    assert!(faults.is_empty(), "\n{faults}");
+}

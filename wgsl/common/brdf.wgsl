@@ -1,0 +1,35 @@
+// glTF 2.0's metallic-roughness reflection (appendix B): GGX with height-correlated Smith shadowing and
+// Schlick's Fresnel over a Lambertian base.
+
+import package::common::constants::PI;
+import package::common::reflectance::{specular_f0, diffuse_albedo};
+import package::common::surface::Surface;
+
+fn fresnel(f0: vec3f, cosine: f32) -> vec3f {
+    return f0 + (1.0 - f0) * pow(1.0 - saturate(cosine), 5.0);
+}
+
+// Outgoing radiance over irradiance, from one direction.
+fn brdf(surface: Surface, light: vec3f) -> vec3f {
+    let alpha = max(surface.roughness * surface.roughness, 1e-3);
+    let a2 = alpha * alpha;
+    let half_vector = normalize(light + surface.view);
+    let n_l = saturate(dot(surface.normal, light));
+    let n_v = max(dot(surface.normal, surface.view), 1e-4);
+    let n_h = saturate(dot(surface.normal, half_vector));
+    let f = fresnel(specular_f0(surface.base_color, surface.metallic), dot(surface.view, half_vector));
+    let denominator = n_h * n_h * (a2 - 1.0) + 1.0;
+    let d = a2 / (PI * denominator * denominator);
+    let v = 0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-6);
+    let dielectric = fresnel(vec3f(0.04), dot(surface.view, half_vector));
+    return (1.0 - dielectric) * diffuse_albedo(surface.base_color, surface.metallic) / PI + f * d * v;
+}
+
+// Reflectance of the GGX lobe under constant light: Karis, "Physically Based Shading on Mobile", 2014.
+fn lobe_reflectance(surface: Surface) -> vec3f {
+    let n_v = saturate(dot(surface.normal, surface.view));
+    let r = surface.roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
+    let a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
+    let scale_bias = vec2f(-1.04, 1.04) * a + r.zw;
+    return specular_f0(surface.base_color, surface.metallic) * scale_bias.x + scale_bias.y;
+}

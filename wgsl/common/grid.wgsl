@@ -1,0 +1,45 @@
+// The bitmask's layout: a word holds a brick of 4 x 4 x 2 cells, bricks run x, y, z within a level,
+// levels follow each other, the finest first.
+
+import package::common::frame::frame;
+
+// One level's run in the list of cells, and the workgroups of 64 that cover it.
+struct LevelRun {
+    groups: vec3u,
+    first: u32,
+    count: u32,
+}
+
+fn level_size(level: u32) -> vec3u {
+    return max(frame.grid_size >> vec3u(level), vec3u(1));
+}
+
+fn brick_count(level: u32) -> vec3u {
+    return (level_size(level) + vec3u(3, 3, 1)) / vec3u(4, 4, 2);
+}
+
+fn level_first_word(level: u32) -> u32 {
+    return frame.level_words[level / 4][level % 4];
+}
+
+fn cell_word(cell: vec3u, level: u32) -> u32 {
+    let bricks = brick_count(level);
+    let brick = cell / vec3u(4, 4, 2);
+    return level_first_word(level) + (brick.z * bricks.y + brick.y) * bricks.x + brick.x;
+}
+
+fn cell_bit(cell: vec3u) -> u32 {
+    return (cell.z & 1) * 16 + (cell.y & 3) * 4 + (cell.x & 3);
+}
+
+fn bit_offset(bit: u32) -> vec3u {
+    return vec3u(bit & 3, (bit >> 2) & 3, bit >> 4);
+}
+
+fn pack_cell(cell: vec3u) -> u32 {
+    return cell.x | (cell.y << 10) | (cell.z << 20);
+}
+
+fn unpack_cell(packed_cell: u32) -> vec3u {
+    return vec3u(packed_cell & 1023, (packed_cell >> 10) & 1023, packed_cell >> 20);
+}

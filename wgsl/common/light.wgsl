@@ -1,0 +1,90 @@
+// Lights, and the irradiance they would give without anything in between.
+
+import package::common::constants::PI;
+import package::common::polygon::polygon_irradiance;
+
+const LIGHT_DIRECTIONAL = 0u;
+const LIGHT_POINT = 1u;
+const LIGHT_SPOT = 2u;
+// An emissive quad or triangle (its last corner twice).
+const LIGHT_AREA = 3u;
+
+struct Light {
+    // World units; for a directional light the unit direction towards it.
+    position: vec3f,
+    kind: u32,
+    // Directional: irradiance at normal incidence, W·m⁻². Point, spot: W·sr⁻¹. Area: radiance, W·m⁻²·sr⁻¹.
+    intensity: vec3f,
+    // Directional: tangent of the half-angle. Point, spot: radius. Area: 1 where both sides emit.
+    size: f32,
+    // Spot: the axis along which it shines. Area: unit normal.
+    direction: vec3f,
+    // First layer in `shadow_maps`; negative: none.
+    shadow_layer: i32,
+    // Spot: glTF's angular falloff is saturate(cos·x + y)².
+    falloff: vec2f,
+    area: f32,
+    padding: f32,
+    corners: array<vec4f, 4>,
+}
+
+@group(0) @binding(4) var<storage, read> lights: array<Light>;
+
+// A scene without a kind of light has no branch for it.
+override HAS_DIRECTIONAL: bool = true;
+override HAS_POINT: bool = true;
+override HAS_SPOT: bool = true;
+override HAS_AREA: bool = true;
+
+// The light as seen from a point.
+struct Incidence {
+    // Unit, towards the light.
+    direction: vec3f,
+    // To the light's centre, world units.
+    distance: f32,
+    // Tangent of half the angle that the light spans.
+    tangent: f32,
+    // On the surface, unoccluded, W·m⁻².
+    irradiance: vec3f,
+}
+
+fn area_corners(light: Light) -> array<vec3f, 4> {
+    return array(light.corners[0].xyz, light.corners[1].xyz, light.corners[2].xyz, light.corners[3].xyz);
+}
+
+fn area_incidence(corners: array<vec3f, 4>, light: Light, position: vec3f, normal: vec3f) -> Incidence {
+    let centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+    let offset = centre - position;
+    let distance = max(length(offset), 1e-20);
+    let direction = offset / distance;
+    let facing = -dot(direction, light.direction);
+    let area = 0.5 * length(cross(corners[2] - corners[0], corners[3] - corners[1]));
+    // The disc of the same solid angle, to first order.
+    let tangent = sqrt(area * abs(facing) / PI) / distance;
+    var irradiance = vec3f(0.0);
+    if (facing > 0.0 || light.size > 0.0) {
+        irradiance = light.intensity * polygon_irradiance(corners, position, normal);
+    }
+    return Incidence(direction, distance, tangent, irradiance);
+}
+
+fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
+    if (HAS_DIRECTIONAL && light.kind == LIGHT_DIRECTIONAL) {
+        let cosine = max(dot(light.position, normal), 0.0);
+        return Incidence(light.position, 1e30, light.size, light.intensity * cosine);
+    }
+    if (HAS_AREA && light.kind == LIGHT_AREA) {
+        return area_incidence(area_corners(light), light, position, normal);
+    }
+    let offset = light.position - position;
+    // Within its sphere a light is no brighter than at its surface.
+    let distance = max(length(offset), 1e-20);
+    let nearest = max(distance, light.size);
+    let direction = offset / distance;
+    var irradiance = light.intensity * max(dot(direction, normal), 0.0) / max(nearest * nearest, 1e-30);
+    if (HAS_SPOT && light.kind == LIGHT_SPOT) {
+        let shade = saturate(-dot(direction, light.direction) * light.falloff.x + light.falloff.y);
+        irradiance *= shade * shade;
+    }
+    return Incidence(direction, distance, light.size / nearest, irradiance);
+}

@@ -1,0 +1,33 @@
+// Ambient occlusion (RAU §6.3): 1 − (1/π) ∫ f(distance to what is hit) cosθ dω over the hemisphere, with
+// f(t) = 1 / (1 + falloff·t) up to `distance` and 0 beyond (DVS §4.2). 1 is open, 0 is closed.
+
+import package::common::basis::basis_around;
+import package::common::cone::{ConeSettings, cone_trace};
+import package::common::diffuse_cones::{DIFFUSE_CONES, diffuse_cone, diffuse_weight};
+import package::common::frame::frame;
+import package::common::surface::Surface;
+
+struct Params {
+    /// 1: tangent spheres; 2: the 60° doubling cone.
+    stepper: u32,
+    /// Step over cell size, of the tangent spheres.
+    step: f32,
+    /// Distance from the surface at which the cones begin, in voxels.
+    start: f32,
+    /// Farthest occluder, as a share of the grid's longest side.
+    distance: f32,
+    /// How fast occluders lose weight: per longest side of the grid.
+    falloff: f32,
+}
+
+fn effect(surface: Surface, params: Params) -> vec4f {
+    let longest = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
+    let tangents = basis_around(surface.normal);
+    var occlusion = 0.0;
+    for (var i = 0; i < DIFFUSE_CONES; i++) {
+        let cone = diffuse_cone(surface.position_voxel, tangents, i, params.start, params.distance * longest);
+        let value = cone_trace(cone, ConeSettings(params.stepper, params.step), params.falloff / longest);
+        occlusion += diffuse_weight(i) * value.a;
+    }
+    return vec4f(vec3f(1.0 - occlusion), 1.0);
+}

@@ -1,0 +1,19 @@
+// Diffuse interreflection (RAU §6.4): irradiance that the lit scene and the sky send to the surface,
+// W·m⁻², gathered by six cones of 60°. Alpha is the mean opacity met.
+
+import package::common::cone::ConeSettings;
+import package::common::diffuse_cones::gather_diffuse;
+import package::common::surface::Surface;
+
+struct Params {
+    /// 1: tangent spheres; 2: the 60° doubling cone.
+    stepper: u32,
+    /// Step over cell size, of the tangent spheres.
+    step: f32,
+    /// Distance from the surface at which the cones begin, in voxels.
+    start: f32,
+}
+
+fn effect(surface: Surface, params: Params) -> vec4f {
+    return gather_diffuse(surface.position_voxel, surface.normal, ConeSettings(params.stepper, params.step), params.start);
+}

@@ -1,0 +1,9 @@
+// Isotropic sampling: quadrilinear, direction ignored (RAU §5.2.1).
+
+import package::common::volume_sampler::volume_sampler;
+
+@group(2) @binding(1) var radiance: texture_3d<f32>;
+
+fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
+    return textureSampleLevel(radiance, volume_sampler, uvw, level);
+}

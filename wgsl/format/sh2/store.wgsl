@@ -1,0 +1,7 @@
+// 2-band spherical harmonics: level 0 is isotropic; coefficients begin at level 1.
+
+@group(2) @binding(8) var base_level0: texture_storage_3d<rgba16float, write>;
+
+fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
+    textureStore(base_level0, cell, vec4f(radiance * opacity, opacity));
+}

@@ -1,0 +1,38 @@
+// Six-face mipmapping: along each axis the child nearer to the observer composites over the farther, then
+// the four columns average (RAU §5.3.2, DVS §3).
+
+import package::format::faces::{FACES, face_of};
+
+// Level 0, where it is the level below; else the faces of the level below.
+@group(2) @binding(1) var base_source: texture_3d<f32>;
+@group(2) @binding(2) var faces_source: texture_3d<f32>;
+@group(2) @binding(9) var faces_target: texture_storage_3d<rgba16float, write>;
+
+fn child(cell: vec3u, level: u32, face: u32) -> vec4f {
+    if (level == 1) {
+        return textureLoad(base_source, cell, 0);
+    }
+    let depth = textureDimensions(faces_source).z / FACES;
+    return textureLoad(faces_source, cell + vec3u(0, 0, face * depth), 0);
+}
+
+fn voxel_mipmap(cell: vec3u, level: u32) {
+    let depth = textureDimensions(faces_target).z / FACES;
+    for (var axis = 0u; axis < 3; axis++) {
+        // The children by their place along the axis; the other two coordinates give four columns.
+        let along = vec3u(select(0u, 1u, axis == 0), select(0u, 1u, axis == 1), select(0u, 1u, axis == 2));
+        let u = vec3u(along.z, along.x, along.y);
+        let v = vec3u(along.y, along.z, along.x);
+        for (var side = 0u; side < 2; side++) {
+            let face = face_of(axis, side == 1);
+            var sum = vec4f(0.0);
+            for (var column = 0u; column < 4; column++) {
+                let low = cell * 2 + u * (column & 1) + v * (column >> 1);
+                let near = child(low + along * (1 - side), level, face);
+                let far = child(low + along * side, level, face);
+                sum += near + (1.0 - near.a) * far;
+            }
+            textureStore(faces_target, cell + vec3u(0, 0, face * depth), sum / 4.0);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+// One more diffuse bounce: every voxel gathers the volume through the diffuse cones (DVS, 'Voxel Global
+// Illumination') and adds what it reflects to its own light.
+
+import package::common::attributes::{VoxelSurface, voxel_surface};
+import package::common::diffuse_cones::gather_diffuse;
+import package::common::constants::PI;
+import package::common::voxels::level_cell;
+import package::common::dispatch::dispatch_index;
+import package::common::cone::ConeSettings;
+
+struct Params {
+    /// 1: tangent spheres; 2: the 60° doubling cone.
+    stepper: u32,
+    /// Step over cell size, of the tangent spheres.
+    step: f32,
+    /// Distance from the surface at which cones begin, in voxels.
+    start: f32,
+}
+
+@group(3) @binding(0) var<uniform> params: Params;
+// The light that stays from bounce to bounce: direct light and emission.
+@group(1) @binding(5) var<storage, read> direct: array<vec4f>;
+@group(1) @binding(6) var<storage, read_write> bounced: array<vec4f>;
+
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let slot = dispatch_index(id, 64);
+    var cell: vec3u;
+    if (!level_cell(slot, 0, &cell)) {
+        return;
+    }
+    let surface = voxel_surface(slot);
+    let settings = ConeSettings(params.stepper, params.step);
+    let p_voxel = vec3f(cell) + 0.5;
+    var arriving = vec3f(0.0);
+    if (any(surface.normal != vec3f(0.0))) {
+        arriving = gather_diffuse(p_voxel, surface.normal, settings, params.start).rgb;
+    } else {
+        for (var axis = 0; axis < 3; axis++) {
+            var normal = vec3f(0.0);
+            normal[axis] = 1.0;
+            arriving += (gather_diffuse(p_voxel, normal, settings, params.start).rgb + gather_diffuse(p_voxel, -normal, settings, params.start).rgb) / 6.0;
+        }
+    }
+    bounced[slot] = vec4f(direct[slot].rgb + surface.albedo / PI * arriving, 1.0);
+}

@@ -1,0 +1,75 @@
+// The whole image from its parts (RAU eq. 7.3): emission + direct light × shadow + diffuse + specular.
+
+import package::common::brdf::{brdf, lobe_reflectance};
+import package::common::constants::PI;
+import package::common::frame::frame;
+import package::common::light::{Incidence, Light, lights, light_incidence, LIGHT_AREA, HAS_AREA, area_corners, area_incidence};
+import package::common::reflectance::diffuse_albedo;
+import package::common::surface::{Surface, surface_load};
+
+struct Params {
+    /// How far ambient occlusion darkens shadows and the diffuse gather, [0, 1] (RAU eq. 7.2, corrected).
+    ao_weight: f32,
+}
+
+@group(3) @binding(0) var<uniform> params: Params;
+@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+@group(3) @binding(2) var shadow: texture_2d_array<f32>;
+@group(3) @binding(3) var ao: texture_2d_array<f32>;
+@group(3) @binding(4) var diffuse: texture_2d_array<f32>;
+@group(3) @binding(5) var specular: texture_2d_array<f32>;
+@group(3) @binding(6) var emission: texture_2d<f32>;
+
+override HAS_SHADOW: bool = true;
+override HAS_AO: bool = true;
+override HAS_SPECULAR: bool = true;
+
+fn direct_light(surface: Surface, pixel: vec2u, open: f32) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.light_count; i++) {
+        let light = lights[i];
+        var visibility = open;
+        if (HAS_SHADOW) {
+            visibility *= textureLoad(shadow, pixel, i / 4, 0)[i % 4];
+        }
+        if (HAS_AREA && light.kind == LIGHT_AREA) {
+            let incidence = area_incidence(area_corners(light), light, surface.position, surface.normal);
+            sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
+        } else {
+            let incidence = light_incidence(light, surface.position, surface.normal);
+            sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
+        }
+    }
+    return sum;
+}
+
+@compute @workgroup_size(8, 8)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let pixel = id.xy;
+    if (any(pixel >= frame.screen)) {
+        return;
+    }
+    let surface = surface_load(pixel);
+    if (!surface.hit) {
+        textureStore(image, pixel, 0, vec4f(frame.sky, 0.0));
+        return;
+    }
+    var open = 1.0;
+    if (HAS_AO) {
+        // S·(1 + c·(O − 1)): c = 0 leaves the light alone, c = 1 multiplies it by the openness.
+        open = 1.0 + params.ao_weight * (textureLoad(ao, pixel, 0, 0).r - 1.0);
+    }
+    let arriving = textureLoad(diffuse, pixel, 0, 0).rgb / PI * open;
+    let lobe = lobe_reflectance(surface);
+    // Without a specular gather every lobe is wide: the cosine-weighted mean stands for it.
+    var mirrored = arriving;
+    if (HAS_SPECULAR) {
+        mirrored = textureLoad(specular, pixel, 0, 0).rgb;
+    }
+    let dielectric_share = 1.0 - 0.04;
+    let radiance = textureLoad(emission, pixel, 0).rgb
+        + direct_light(surface, pixel, open)
+        + diffuse_albedo(surface.base_color, surface.metallic) * dielectric_share * arriving
+        + lobe * mirrored;
+    textureStore(image, pixel, 0, vec4f(radiance, 1.0));
+}

@@ -1,0 +1,66 @@
+// What the camera sees: four targets and depth, one draw for the whole scene.
+
+import package::common::frame::frame;
+import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK, HAS_TEXTURES};
+import package::common::mesh::vertices;
+import package::common::octahedral::{unpack_normal, unpack_tangent};
+
+struct Varyings {
+    @builtin(position) clip: vec4f,
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) tangent: vec4f,
+    @location(3) uv: vec2f,
+    @location(4) @interpolate(flat) material: u32,
+}
+
+@vertex
+fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
+    let v = vertices[index];
+    var o: Varyings;
+    o.clip = frame.view_projection * vec4f(v.position, 1.0);
+    o.position = v.position;
+    o.normal = unpack_normal(v.normal);
+    o.tangent = unpack_tangent(v.tangent);
+    o.uv = v.uv;
+    o.material = v.material;
+    return o;
+}
+
+struct Targets {
+    // Base colour; metallic in alpha.
+    @location(0) albedo: vec4f,
+    // Shading normal; roughness.
+    @location(1) normal: vec4f,
+    // The triangle's normal; 1.
+    @location(2) geometry: vec4f,
+    // W·m⁻²·sr⁻¹
+    @location(3) emission: vec4f,
+}
+
+@fragment
+fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
+    let material = materials[v.material];
+    if (!front && material.double_sided == 0) {
+        discard;
+    }
+    let texel_x = dpdx(v.uv) * f32(frame.texture_size);
+    let texel_y = dpdy(v.uv) * f32(frame.texture_size);
+    let lod = 0.5 * log2(max(max(dot(texel_x, texel_x), dot(texel_y, texel_y)), 1e-8));
+    let color = base_color(material, v.uv, lod);
+    if (HAS_ALPHA_MASK && color.a < material.alpha_cutoff) {
+        discard;
+    }
+    let facing = select(-1.0, 1.0, front);
+    let flat = normalize(cross(dpdy(v.position), dpdx(v.position)));
+    let interpolated = normalize(v.normal) * facing;
+    let surface = roughness_metallic(material, v.uv, lod);
+    var o: Targets;
+    o.albedo = vec4f(color.rgb, surface.y);
+    o.normal = vec4f(shading_normal(material, v.uv, lod, interpolated, v.tangent), surface.x);
+    // Derivatives give the plane; the camera's side gives the sign.
+    o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, frame.eye - v.position) > 0.0), 1.0);
+    // Only the front emits, unless both sides are shaded.
+    o.emission = vec4f(emission(material, v.uv, lod), 1.0);
+    return o;
+}

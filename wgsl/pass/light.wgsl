@@ -1,0 +1,86 @@
+// Direct light on every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
+
+import package::common::attributes::{VoxelSurface, voxel_surface};
+import package::common::constants::PI;
+import package::common::frame::{frame, from_voxel};
+import package::common::light::{Light, lights, light_incidence, Incidence, area_corners, area_incidence, LIGHT_AREA, HAS_AREA};
+import package::common::shadow_map::shadow_map_visibility;
+import package::common::voxel_ray::ray_blocked;
+import package::common::voxels::level_cell;
+import package::common::dispatch::dispatch_index;
+import package::common::quad::quarter;
+
+struct Params {
+    /// Distance along the normal from which a voxel looks for the light, in voxels.
+    bias: f32,
+}
+
+@group(3) @binding(0) var<uniform> params: Params;
+@group(1) @binding(5) var<storage, read_write> direct: array<vec4f>;
+
+// Occlusion from shadow maps where the light has one, else by a ray through the voxels.
+override USE_SHADOW_MAP: bool = true;
+// Whether `direct` already holds what emissive surfaces give by the gather.
+override ADD_TO_GATHERED: bool = false;
+
+fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f) -> f32 {
+    if (all(incidence.irradiance <= vec3f(0.0))) {
+        return 0.0;
+    }
+    let origin = p_voxel + normal * params.bias;
+    if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
+        return shadow_map_visibility(light, from_voxel(origin));
+    }
+    // Stops short of the light's own voxels.
+    let reach = incidence.distance / frame.voxel_size - params.bias - 1.0;
+    return select(1.0, 0.0, ray_blocked(origin, incidence.direction, reach));
+}
+
+fn irradiance(p_voxel: vec3f, normal: vec3f) -> vec3f {
+    // The surface lies at most half a voxel from the voxel's centre; the centre stands for it.
+    let position = from_voxel(p_voxel);
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.light_count; i++) {
+        let light = lights[i];
+        if (HAS_AREA && light.kind == LIGHT_AREA) {
+            let corners = area_corners(light);
+            for (var q = 0u; q < 4; q++) {
+                let part = area_incidence(quarter(corners, q), light, position, normal);
+                sum += part.irradiance * visibility(light, part, p_voxel, normal);
+            }
+        } else {
+            let incidence = light_incidence(light, position, normal);
+            sum += incidence.irradiance * visibility(light, incidence, p_voxel, normal);
+        }
+    }
+    return sum;
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let slot = dispatch_index(id, 64);
+    var cell: vec3u;
+    if (!level_cell(slot, 0, &cell)) {
+        return;
+    }
+    let surface = voxel_surface(slot);
+    let p_voxel = vec3f(cell) + 0.5;
+    var arriving = vec3f(0.0);
+    if (any(surface.normal != vec3f(0.0))) {
+        arriving = irradiance(p_voxel, surface.normal);
+    } else {
+        // Opposite surfaces share the voxel: each axis direction stands for a sixth of them.
+        for (var axis = 0; axis < 3; axis++) {
+            var normal = vec3f(0.0);
+            normal[axis] = 1.0;
+            arriving += (irradiance(p_voxel, normal) + irradiance(p_voxel, -normal)) / 6.0;
+        }
+    }
+    var radiance = surface.albedo / PI * arriving;
+    if (ADD_TO_GATHERED) {
+        radiance += direct[slot].rgb;
+    } else {
+        radiance += surface.emission;
+    }
+    direct[slot] = vec4f(radiance, 1.0);
+}
