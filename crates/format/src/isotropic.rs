@@ -24,6 +24,6 @@ impl StorageFormat for Isotropic {
     }
 
     fn volumes(&self) -> &[Volume] {
-        &[Volume { name: "radiance", levels: Levels::All, blocks: 1 }]
+        &[Volume { name: "base", levels: Levels::All, blocks: 1 }]
     }
 }

@@ -40,7 +40,8 @@ impl Emitters {
             .filter(|&(.., power)| power > 0.0)
             .collect();
         let total: f64 = powers.iter().map(|(.., power)| power).sum();
-        let mut emitters = Emitters { triangles: Vec::new(), cumulative: Vec::new(), density: vec![0.0; count] };
+        let mut emitters =
+            Emitters { triangles: Vec::new(), cumulative: Vec::new(), density: vec![0.0; count] };
         let mut sum = 0.0;
         for (triangle, area, power) in powers {
             sum += power;
@@ -65,7 +66,12 @@ impl Emitters {
         let front = normal(corners).dot(direction) < 0.0;
         let radiance = surfaces.emission(triangle, weights, front);
         let pdf = self.pdf(surfaces, triangle, direction, to.length());
-        (radiance != Vec3::ZERO && pdf.is_finite()).then_some(EmitterSample { point, direction, radiance, pdf })
+        (radiance != Vec3::ZERO && pdf.is_normal()).then_some(EmitterSample {
+            point,
+            direction,
+            radiance,
+            pdf,
+        })
     }
 
     /// Density per solid angle with which [`Emitters::sample`] takes the point of `triangle` that lies

@@ -53,7 +53,9 @@ pub enum Error {
     #[error("{0} triangles: the reference takes at most {max}", max = crate::tracer::MAX_TRIANGLES)]
     Triangles(usize),
     /// A light or surface so bright that radiance leaves the range of `f32`.
-    #[error("pixel ({x}, {y}) is not finite: a light, an emission or the sky is too bright for 32-bit floats")]
+    #[error(
+        "pixel ({x}, {y}) is not finite: a light, an emission or the sky is too bright for 32-bit floats"
+    )]
     NotFinite {
         /// Column.
         x: u32,

@@ -75,7 +75,11 @@ mod tests {
     fn mirror_directions_follow_their_density() {
         let out = direction(1.0, 0.4);
         for alpha in [0.1, 0.5, 1.0] {
-            let pdf = |i: Vec3| mirror_pdf(out.z, (out + i).normalize(), alpha);
+            // Visible normals point up.
+            let pdf = |i: Vec3| match (out + i).normalize() {
+                half if half.z > 0.0 => mirror_pdf(out.z, half, alpha),
+                _ => 0.0,
+            };
             let total = integrate(std::f64::consts::PI, pdf);
             assert!((total - 1.0).abs() < 5e-3, "{alpha}: {total}");
             let expected = [0, 1, 2].map(|k| integrate(std::f64::consts::PI, |i| pdf(i) * i[k]));

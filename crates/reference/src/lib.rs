@@ -11,6 +11,8 @@
 //! within the microsurface.
 
 mod accel;
+pub mod cache;
+mod digest;
 mod emitter;
 mod error;
 mod gather;

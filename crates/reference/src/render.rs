@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use glam::Vec3;
 use rayon::prelude::*;
 
+use crate::Error;
 use crate::gather::Sources;
 use crate::lobe::Lobe;
 use crate::picture::{Picture, Statistics};
@@ -14,7 +15,6 @@ use crate::rng::Rng;
 use crate::surface::Surface;
 use crate::tracer::Tracer;
 use crate::view::View;
-use crate::Error;
 
 impl Tracer {
     /// Computes a picture on the current rayon pool's threads. The same request gives the same bits,

@@ -51,9 +51,8 @@ mod tests {
         let n = 20_000u64;
         // The correlation of two independent uniform sequences of n numbers has deviation 1/sqrt(n).
         let limit = 4.0 / (n as f64).sqrt();
-        let correlation = |f: &dyn Fn(u64) -> (f64, f64)| {
-            (0..n).map(f).map(|(a, b)| 12.0 * a * b).sum::<f64>() / n as f64
-        };
+        let correlation =
+            |f: &dyn Fn(u64) -> (f64, f64)| (0..n).map(f).map(|(a, b)| 12.0 * a * b).sum::<f64>() / n as f64;
         assert!(correlation(&|i| (first(1, i, 0), first(1, i + 1, 0))).abs() < limit);
         assert!(correlation(&|i| (first(1, i, 0), first(1, i, 1))).abs() < limit);
         assert!(correlation(&|i| (first(1, i, 0), first(2, i, 0))).abs() < limit);

@@ -72,6 +72,9 @@ impl Cone {
 /// The power heuristic's weight (Veach 1997, exponent 2) of a sample of density `own`, which may be
 /// infinite, where another technique has density `other`.
 pub(crate) fn power_heuristic(own: f32, other: f32) -> f32 {
+    if own.is_infinite() {
+        return 1.0;
+    }
     let ratio = other / own;
     1.0 / (1.0 + ratio * ratio)
 }
@@ -103,7 +106,10 @@ mod tests {
                 inner += i32::from((sin.asin() / 2.0).sin() < limit);
             }
             let deviation = (f64::from(samples) * 0.25).sqrt();
-            assert!((f64::from(inner) - f64::from(samples) / 2.0).abs() < 4.0 * deviation, "{degrees}: {inner}");
+            assert!(
+                (f64::from(inner) - f64::from(samples) / 2.0).abs() < 4.0 * deviation,
+                "{degrees}: {inner}"
+            );
             let solid_angle = 4.0 * std::f64::consts::PI * (f64::from(half) / 2.0).sin().powi(2);
             assert!((f64::from(cone.pdf()) * solid_angle - 1.0).abs() < 1e-4);
         }
@@ -112,7 +118,8 @@ mod tests {
     #[test]
     fn the_power_heuristic_is_a_partition_and_takes_infinite_densities() {
         assert!((power_heuristic(3.0, 4.0) + power_heuristic(4.0, 3.0) - 1.0).abs() < 1e-6);
-        assert_eq!(power_heuristic(f32::INFINITY, 4.0), 1.0);
+        assert_eq!(power_heuristic(f32::INFINITY, f32::INFINITY), 1.0);
+        assert_eq!(power_heuristic(4.0, f32::INFINITY), 0.0);
         assert_eq!(power_heuristic(4.0, 0.0), 1.0);
     }
 }

@@ -58,7 +58,8 @@ impl Surface {
     /// Where rays leave from: above the surface by more than positions are rounded by, so that they
     /// meet neither this triangle nor another in the same plane.
     pub(crate) fn origin(&self) -> Vec3 {
-        let offset = self.position.abs().max_element() * 2f64.powi(-20) + f64::from(self.extent) * 2f64.powi(-24);
+        let offset =
+            self.position.abs().max_element() * 2f64.powi(-20) + f64::from(self.extent) * 2f64.powi(-24);
         (self.position + self.geometric_normal.as_dvec3() * offset).as_vec3()
     }
 }
@@ -91,9 +92,9 @@ impl Surfaces {
         if !lit || material.emission == Vec3::ZERO || !self.solid(triangle, weights) {
             return Vec3::ZERO;
         }
-        let texel = material.emission_texture.map_or(Vec4::ONE, |texture| {
-            self.textures.sample(texture.texture, self.uv(triangle, weights))
-        });
+        let texel = material
+            .emission_texture
+            .map_or(Vec4::ONE, |texture| self.textures.sample(texture.texture, self.uv(triangle, weights)));
         material.emission * texel.truncate()
     }
 
@@ -133,8 +134,11 @@ impl Surfaces {
         let material = self.material(triangle);
         let Some(map) = material.normal_texture else { return interpolated };
         let normal = interpolated.normalize_or_zero();
-        let tangent: Vec4 =
-            vertices.iter().zip(weights).map(|(&vertex, w)| self.geometry.tangents[vertex as usize] * w).sum();
+        let tangent: Vec4 = vertices
+            .iter()
+            .zip(weights)
+            .map(|(&vertex, w)| self.geometry.tangents[vertex as usize] * w)
+            .sum();
         let along = tangent.truncate();
         let Some(along) = (along - normal * normal.dot(along)).try_normalize() else { return normal };
         let bitangent = normal.cross(along) * tangent.w.signum();

@@ -76,8 +76,7 @@ impl Tracer {
 
     /// The triangle that `ray` meets first.
     pub(crate) fn closest(&self, ray: Ray) -> Option<(u32, Crossing)> {
-        self.accel
-            .closest(ray, |triangle, crossing| self.surfaces.solid(triangle, crossing.weights))
+        self.accel.closest(ray, |triangle, crossing| self.surfaces.solid(triangle, crossing.weights))
     }
 
     /// Whether light passes from `origin` along `direction` for `distance`, in units of `direction`.

@@ -71,7 +71,11 @@ impl Sheared {
         let slope = normal.dot(self.ray.direction.as_dvec3());
         let t = normal.dot(p - self.ray.origin.as_dvec3()) / slope;
         // A slope of 0 gives an infinity or no number.
-        (t > 0.0 && t.is_finite()).then(|| Crossing { t, weights: [u / sum, v / sum, w / sum], front: slope < 0.0 })
+        (t > 0.0 && t.is_finite()).then(|| Crossing {
+            t,
+            weights: [u / sum, v / sum, w / sum],
+            front: slope < 0.0,
+        })
     }
 }
 

@@ -2,8 +2,8 @@
 
 import package::common::volume_sampler::volume_sampler;
 
-@group(2) @binding(1) var radiance: texture_3d<f32>;
+@group(2) @binding(1) var base: texture_3d<f32>;
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    return textureSampleLevel(radiance, volume_sampler, uvw, level);
+    return textureSampleLevel(base, volume_sampler, uvw, level);
 }

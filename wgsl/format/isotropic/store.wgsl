@@ -1,7 +1,7 @@
 // Isotropic: one premultiplied radiance and opacity a voxel, the same for every direction (RAU §5.1.1).
 
-@group(2) @binding(8) var radiance_level0: texture_storage_3d<rgba16float, write>;
+@group(2) @binding(8) var base_level0: texture_storage_3d<rgba16float, write>;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
-    textureStore(radiance_level0, cell, vec4f(radiance * opacity, opacity));
+    textureStore(base_level0, cell, vec4f(radiance * opacity, opacity));
 }

@@ -1,6 +1,7 @@
 //! The frame's uniform, as `struct Frame` in wgsl/common/frame.wgsl.
 
 use bytemuck::{Pod, Zeroable};
+use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec3};
 use voxlume_graph::{FixedPoint, Plan, SceneFacts};
 use voxlume_scene::{Camera, Scene};
@@ -39,8 +40,8 @@ impl Frame {
         let near = grid.voxel_size * 0.05;
         let right = camera.forward.cross(camera.up).normalize();
         let up = right.cross(camera.forward);
-        let view = Mat4::look_to_rh(eye, camera.forward, up);
-        let projection = Mat4::perspective_infinite_reverse_rh(camera.vertical_fov, aspect, near);
+        let view = view::look_to_mat4(eye, camera.forward, up);
+        let projection = directx::perspective_infinite_reverse(camera.vertical_fov, aspect, near);
         let half_height = (camera.vertical_fov / 2.0).tan();
         let scale = FixedPoint::for_triangles(plan.triangles);
         let mut level_words = [0; 16];

@@ -1,6 +1,7 @@
 //! Lights, as `struct Light` in wgsl/common/light.wgsl, and the matrices of their shadow maps.
 
 use bytemuck::{Pod, Zeroable};
+use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use voxlume_graph::{AREA_LIGHT_LIMIT, Plan, SceneFacts};
 use voxlume_scene::{EmissivePolygon, Light as SceneLight, LightKind, Scene};
@@ -92,21 +93,21 @@ fn shadow_matrices(light: &SceneLight, plan: &Plan, radius: f32) -> Vec<Mat4> {
     let near = radius * 1e-3;
     match light.kind {
         LightKind::Directional { direction, .. } => {
-            let view = Mat4::look_to_rh(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
-            vec![Mat4::orthographic_rh(-radius, radius, -radius, radius, radius * 0.9, radius * 3.1) * view]
+            let view = view::look_to_mat4(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
+            vec![directx::orthographic(-radius, radius, -radius, radius, radius * 0.9, radius * 3.1) * view]
         }
         LightKind::Spot { position, direction, outer, .. } => {
             let eye = relative(position);
-            let view = Mat4::look_to_rh(eye, direction, direction.any_orthonormal_vector());
+            let view = view::look_to_mat4(eye, direction, direction.any_orthonormal_vector());
             let far = eye.length() + 2.0 * radius;
-            vec![Mat4::perspective_rh((2.0 * outer).min(3.0), 1.0, near, far) * view]
+            vec![directx::perspective((2.0 * outer).min(3.0), 1.0, near, far) * view]
         }
         LightKind::Point { position, .. } => {
             let eye = relative(position);
             let far = eye.length() + 2.0 * radius;
-            let projection = Mat4::perspective_rh(std::f32::consts::FRAC_PI_2, 1.0, near, far);
+            let projection = directx::perspective(std::f32::consts::FRAC_PI_2, 1.0, near, far);
             let axes = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
-            axes.map(|axis| projection * Mat4::look_to_rh(eye, axis, axis.any_orthonormal_vector())).to_vec()
+            axes.map(|axis| projection * view::look_to_mat4(eye, axis, axis.any_orthonormal_vector())).to_vec()
         }
     }
 }

@@ -1,0 +1,171 @@
+//! RON scenes: what they become, and the whole message of each fault.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use common::{Builder, Folder};
+use glam::{DVec3, Vec3, Vec4};
+use insta::assert_snapshot;
+use voxlume_scene::{Geometry, LightKind, Scene};
+
+fn load(text: &str) -> Result<Scene, String> {
+    let folder = Folder::new();
+    folder.write("a.ron", text);
+    folder.load("a.ron")
+}
+
+fn fault(text: &str) -> String {
+    load(text).expect_err("it should be refused")
+}
+
+#[test]
+fn the_documentations_example() {
+    let folder = Folder::new();
+    folder.write("a.ron", include_str!("../src/ron/example.ron"));
+    Builder::triangle().load_gltf(&folder, "model.gltf").unwrap();
+    let scene = folder.load("a.ron").unwrap();
+
+    let names: Vec<_> = scene.instances.iter().map(|i| (i.name.as_str(), i.moving)).collect();
+    assert_eq!(names, [("object 0", false), ("ball", true), ("object 2", false), ("object 3/node 0", false)]);
+    assert_eq!(
+        scene.materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(),
+        ["white", "gold", "lamp", "default"]
+    );
+    assert_eq!(scene.materials[1].base_color, Vec4::new(1.0, 0.71, 0.29, 1.0));
+    assert_eq!((scene.materials[1].metallic, scene.materials[1].roughness), (1.0, 0.2));
+    assert_eq!(scene.materials[2].emission, Vec3::new(12.0, 10.0, 8.0));
+    assert_eq!((scene.name.as_str(), scene.sky), ("a", Vec3::new(0.2, 0.3, 0.5)));
+
+    // The lamp is turned to face down; the model is scaled, turned about y and moved.
+    let geometry = Geometry::new(&scene, DVec3::ZERO);
+    let lamp: Vec<_> = (0..geometry.positions.len()).filter(|i| geometry.materials[*i] == 2).collect();
+    assert!(lamp.iter().all(|i| geometry.normals[*i].abs_diff_eq(-Vec3::Y, 1e-6)));
+    let corner = geometry.positions[geometry.positions.len() - 2];
+    let s = 2.0_f32.sqrt();
+    assert!(corner.abs_diff_eq(Vec3::new(2.0 + s, 0.0, -s), 1e-5), "{corner}");
+
+    let [sun, point, spot] = &scene.lights[..] else { panic!() };
+    let LightKind::Directional { direction, angular_diameter } = sun.kind else { panic!() };
+    assert!(direction.abs_diff_eq(Vec3::new(-1.0, -2.0, -1.0).normalize(), 1e-6));
+    assert!((angular_diameter.to_degrees() - 0.53).abs() < 1e-6);
+    assert_eq!(sun.intensity, Vec3::new(3.0, 2.9, 2.7));
+    assert_eq!(point.kind, LightKind::Point { position: DVec3::splat(2.0), radius: 0.1 });
+    assert_eq!(point.intensity, Vec3::splat(5.0));
+    assert!(matches!(spot.kind, LightKind::Spot { inner, outer, .. }
+        if (inner.to_degrees() - 20.0).abs() < 1e-4 && (outer.to_degrees() - 30.0).abs() < 1e-4));
+
+    let camera = &scene.cameras[0];
+    assert_eq!((camera.name.as_str(), camera.eye), ("front", DVec3::new(0.0, 2.0, 6.0)));
+    assert!(camera.forward.abs_diff_eq(Vec3::new(0.0, -1.5, -6.0).normalize(), 1e-6));
+    assert!(camera.up.dot(camera.forward).abs() < 1e-6 && camera.up.y > 0.9);
+}
+
+#[test]
+fn transforms() {
+    let place = |transform: &str| {
+        let text = format!(
+            "(materials: {{\"m\": ()}}, objects: [(shape: Triangle(corners: [(1, 0, 0), (0, 1, 0), (0, 0, 1)]), material: \"m\", {transform})])"
+        );
+        Geometry::new(&load(&text).unwrap(), DVec3::ZERO).positions
+    };
+    let near = |transform: &str, expected: [Vec3; 3]| {
+        let found = place(transform);
+        assert!(found.iter().zip(expected).all(|(f, e)| f.abs_diff_eq(e, 1e-6)), "{transform}: {found:?}");
+    };
+    let (x, y, z) = (Vec3::X, Vec3::Y, Vec3::Z);
+    near("", [x, y, z]);
+    near("rotate_deg: (90, 0, 0)", [x, z, -y]);
+    // First about x, then about z.
+    near("rotate_deg: (90, 0, 90)", [y, z, x]);
+    near(
+        "scale: (2, 3, 4), rotate_deg: (0, 90, 0), translate: (1, 1, 1)",
+        [x + y + z - 2.0 * z, x + 4.0 * y + z, x + y + z + 4.0 * x],
+    );
+    near(
+        "matrix: [(1, 0, 0, 5), (0, 2, 0, 6), (0, 0, -1, 7)]",
+        [Vec3::new(6., 6., 7.), Vec3::new(5., 8., 7.), Vec3::new(5., 6., 6.)],
+    );
+    // Far from the origin nothing is lost that the caller takes off again.
+    let far = load(
+        "(materials: {\"m\": ()}, objects: [(shape: Box(), material: \"m\", translate: (1e6, 0, 0.001))])",
+    )
+    .unwrap();
+    let geometry = Geometry::new(&far, DVec3::new(1e6, 0.0, 0.0));
+    assert!(
+        (geometry.positions[0].z.abs() - 0.5).abs() < 0.0010001
+            && geometry.positions.iter().all(|p| p.z != 0.5)
+    );
+}
+
+#[test]
+fn gltf_objects_share_files_and_take_materials() {
+    let folder = Folder::new();
+    let mut model = Builder::triangle();
+    model.json["nodes"] = serde_json::json!([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0}]);
+    folder.write("models/a.glb", model.glb());
+    folder.write(
+        "scenes/a.ron",
+        r#"(materials: {"m": ()}, objects: [
+            (gltf: "../models/a.glb"), (gltf: "../models/a.glb", translate: (1, 0, 0), moving: true),
+            (gltf: "../models/a.glb", material: "m"),
+        ])"#,
+    );
+    let scene = folder.load("scenes/a.ron").unwrap();
+    assert_eq!((scene.instances.len(), scene.meshes.len(), scene.materials.len()), (6, 2, 2));
+    let materials: Vec<_> = scene
+        .instances
+        .iter()
+        .map(|i| scene.materials[scene.meshes[i.mesh].material].name.as_str())
+        .collect();
+    assert_eq!(materials, ["default", "default", "default", "default", "m", "m"]);
+    assert_eq!((scene.sky, scene.lights.len()), (Vec3::ZERO, 0));
+    assert!(scene.instances[2].moving && scene.instances[3].transform.translation == DVec3::X);
+}
+
+#[test]
+fn all_faults_at_once() {
+    assert_snapshot!(fault(r#"(
+    materials: {
+        "white": (base_colour: (1, 1, 1), roughness: 1.5),
+        "white": (base_color: (1, 2, 3, 4)),
+        "lamp": (emission: (NaN, 0, 0)),
+    },
+    objects: [
+        (shape: Sphere(radius: -1, segments: 2), material: "whit"),
+        (shape: Spere(), material: "white"),
+        (shape: Box(min: (0, 0)), gltf: "a.glb", translte: (1, 2, 3)),
+        (gltf: "none.glb", scale: "big"),
+        (shape: Quad(), inside_out: 1),
+    ],
+    lights: [
+        Point(position: (0, inf, 0)),
+        Sun(direction: (0, 0, 0)),
+        Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
+        Spot(position: (0, 0, 0), direction: (0, -1, 0), intensity: 1, inner_deg: 50, outer_deg: 40),
+    ],
+    sky: "blue",
+    camera: [],
+    cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
+)"#), @"");
+}
+
+#[test]
+fn single_faults() {
+    assert_snapshot!(fault("(objects: [(shape: Box() material: \"m\")])"), @r"
+    ");
+    assert_snapshot!(fault("[]"), @r"
+    ");
+    assert_snapshot!(fault("(objects: [Box()])"), @r"
+    ");
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(material: "m", shape: Triangles(
+        positions: [(0, 0, 0), (1, 0, 0), (0, 1, 0)],
+        indices: [(0, 1, 2), (0, 1, 3)],
+    ))])"#), @r"
+    ");
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(material: "m", shape: Grid(cells: (100000, 100000)), matrix: [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)], scale: 2)])"#), @r"
+    ");
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "far", material: "m", shape: Box(), translate: (1e16, 0, 0))])"#), @r"
+    ");
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "wild", material: "m", shape: Box(), scale: 1e300)])"#), @r"
+    ");
+}
