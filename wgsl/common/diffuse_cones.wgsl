@@ -2,7 +2,7 @@
 // over π): 1/4 for the axis, 3/20 for each of the five around it. The weights sum to 1.
 
 import package::common::basis::basis_around;
-import package::common::cone::{Cone, ConeSettings, cone_trace};
+import package::common::cone::{Cone, ConeSettings, cone_trace, surface_cone};
 import package::common::constants::PI;
 import package::common::frame::frame;
 
@@ -25,10 +25,9 @@ fn diffuse_weight(index: i32) -> f32 {
     return select(0.15, 0.25, index == 0);
 }
 
-// Cone `index` of a surface point; it begins `start` voxels above the surface.
+// Cone `index` of a surface point.
 fn diffuse_cone(p_voxel: vec3f, tangents: mat3x3f, index: i32, start: f32, reach: f32) -> Cone {
-    let local = diffuse_direction(index);
-    return Cone(p_voxel + tangents[2] * start, tangents * local, DIFFUSE_SINE, 0.0, reach, start, local.z);
+    return surface_cone(p_voxel, tangents[2], tangents * diffuse_direction(index), DIFFUSE_SINE, reach, start);
 }
 
 // Irradiance from the volume and the sky, W·m⁻², and the mean opacity.

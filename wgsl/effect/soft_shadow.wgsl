@@ -2,34 +2,37 @@
 // the light. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
-import package::common::cone::{Cone, ConeSettings, STEPPER_SPHERES, cone_trace};
+import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, end_at_surface, surface_cone};
 import package::common::frame::frame;
 import package::common::light::{Incidence, Light, area_corners, area_incidence, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::quad::quarter;
 import package::common::surface::Surface;
 
 struct Params {
-    /// Step over cell size.
+    /// Step over cell size, (0, 1].
     step: f32,
-    /// Distance along the normal at which the cone begins, in voxels.
+    /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
+    /// 1: a cone to each quarter of an area light; 0: one to the whole of it, [0, 1].
+    quarters: u32,
 }
 
-fn cone_visibility(surface: Surface, incidence: Incidence, params: Params) -> f32 {
+fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
     let slope = dot(surface.normal_geometric, incidence.direction);
     if (all(incidence.irradiance <= vec3f(0.0)) || slope <= 0.0) {
         return 0.0;
     }
     let sine = incidence.tangent * inverseSqrt(1.0 + incidence.tangent * incidence.tangent);
-    let origin = surface.position_voxel + surface.normal_geometric * params.start;
-    // Ends short of the light's own voxels.
-    let reach = incidence.distance / frame.voxel_size - params.start - 1.0;
-    let cone = Cone(origin, incidence.direction, sine, 0.0, reach, params.start, slope);
+    let reach = incidence.distance / frame.voxel_size;
+    var cone = surface_cone(surface.position_voxel, surface.normal_geometric, incidence.direction, sine, reach, params.start);
+    if (HAS_AREA && light.kind == LIGHT_AREA) {
+        cone = end_at_surface(cone, light.direction);
+    }
     return 1.0 - cone_trace(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0).a;
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
-    if (HAS_AREA && light.kind == LIGHT_AREA) {
+    if (HAS_AREA && light.kind == LIGHT_AREA && params.quarters > 0) {
         // Its quarters, each by what it gives.
         let corners = area_corners(light);
         var arriving = 0.0;
@@ -38,11 +41,11 @@ fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
             let part = area_incidence(quarter(corners, q), light, surface.position, surface.normal);
             let weight = part.irradiance.r + part.irradiance.g + part.irradiance.b;
             possible += weight;
-            arriving += weight * cone_visibility(surface, part, params);
+            arriving += weight * cone_visibility(surface, light, part, params);
         }
         return arriving / max(possible, 1e-30);
     }
-    return cone_visibility(surface, light_incidence(light, surface.position, surface.normal), params);
+    return cone_visibility(surface, light, light_incidence(light, surface.position, surface.normal), params);
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {

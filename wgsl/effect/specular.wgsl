@@ -1,14 +1,14 @@
 // Glossy reflection (RAU §6.5): the radiance that the lit scene and the sky send along the mirrored view,
 // W·m⁻²·sr⁻¹, averaged over a cone as wide as the surface's GGX lobe.
 
-import package::common::cone::{Cone, ConeSettings, STEPPER_SPHERES, cone_trace};
+import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
 import package::common::frame::frame;
 import package::common::surface::Surface;
 
 struct Params {
-    /// Step over cell size.
+    /// Step over cell size, (0, 1].
     step: f32,
-    /// Distance along the normal at which the cone begins, in voxels.
+    /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
 }
 
@@ -22,9 +22,8 @@ fn lobe_sine(roughness: f32) -> f32 {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let direction = reflect(-surface.view, surface.normal);
-    let slope = dot(direction, surface.normal_geometric);
-    let origin = surface.position_voxel + surface.normal_geometric * params.start;
-    let cone = Cone(origin, direction, lobe_sine(surface.roughness), 0.0, 1e30, params.start, max(slope, 0.0));
+    let sine = lobe_sine(surface.roughness);
+    let cone = surface_cone(surface.position_voxel, surface.normal_geometric, direction, sine, 1e30, params.start);
     let value = cone_trace(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0);
     return vec4f(value.rgb + (1.0 - value.a) * frame.sky, value.a);
 }

@@ -11,9 +11,9 @@ import package::common::cone::ConeSettings;
 struct Params {
     /// 1: tangent spheres; 2: the 60° doubling cone.
     stepper: u32,
-    /// Step over cell size, of the tangent spheres.
+    /// Step over cell size, of the tangent spheres, (0, 1].
     step: f32,
-    /// Distance from the surface at which cones begin, in voxels.
+    /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
 }
 

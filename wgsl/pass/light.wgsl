@@ -11,7 +11,7 @@ import package::common::dispatch::dispatch_index;
 import package::common::quad::quarter;
 
 struct Params {
-    /// Distance along the normal from which a voxel looks for the light, in voxels.
+    /// How far over a voxel's centre it looks for the light; 1.5 is over every cell of a plane through it.
     bias: f32,
 }
 
@@ -23,16 +23,26 @@ override USE_SHADOW_MAP: bool = true;
 // Whether `direct` already holds what emissive surfaces give by the gather.
 override ADD_TO_GATHERED: bool = false;
 
+// How far over a plane of this normal the cells that it touches reach, in voxels.
+fn cell_height(normal: vec3f) -> f32 {
+    return abs(normal.x) + abs(normal.y) + abs(normal.z);
+}
+
 fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f) -> f32 {
     if (all(incidence.irradiance <= vec3f(0.0))) {
         return 0.0;
     }
-    let origin = p_voxel + normal * params.bias;
+    let lift = normal * (params.bias * cell_height(normal));
+    let origin = p_voxel + lift;
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
         return shadow_map_visibility(light, from_voxel(origin));
     }
-    // Stops short of the light's own voxels.
-    let reach = incidence.distance / frame.voxel_size - params.bias - 1.0;
+    var reach = incidence.distance / frame.voxel_size - dot(lift, incidence.direction);
+    if (HAS_AREA && light.kind == LIGHT_AREA) {
+        // Stops short of the voxels of the light itself.
+        let cosine = max(abs(dot(light.direction, incidence.direction)), 1e-3);
+        reach -= cell_height(light.direction) / cosine;
+    }
     return select(1.0, 0.0, ray_blocked(origin, incidence.direction, reach));
 }
 

@@ -65,7 +65,7 @@ impl<'g> Renderer<'g> {
             });
         }
         let mut programs = Programs::new(gpu, &plan)?;
-        let queries = gpu.has_timestamps().then(|| Queries::new(gpu, plan.passes.len() as u32));
+        let queries = gpu.has_reliable_timestamps().then(|| Queries::new(gpu, plan.passes.len() as u32));
         let mut renderer = Renderer {
             gpu,
             plan,
@@ -212,8 +212,10 @@ impl<'g> Renderer<'g> {
     ) {
         // Runs of dispatches share a compute pass; the first and the last pass of all carry the timestamps.
         let runs = runs(steps);
+        let timed = |run: &std::ops::Range<usize>| !matches!(steps[run.start], Step::Clear(_));
+        let (first, last) = (runs.iter().position(timed), runs.iter().rposition(timed));
         for (number, run) in runs.iter().enumerate() {
-            let ends = (number == 0, number + 1 == runs.len());
+            let ends = (Some(number) == first, Some(number) == last);
             match &steps[run.start] {
                 Step::Clear(resource) => {
                     if let Object::Buffer(buffer) = &self.objects[*resource] {

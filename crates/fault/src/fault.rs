@@ -105,6 +105,15 @@ impl Faults {
         self.0.iter()
     }
 
+    /// Sorted by place, as one reads the files; those without a place come first.
+    #[must_use]
+    pub fn in_order(mut self) -> Faults {
+        self.0.sort_by_key(|fault| {
+            fault.place.as_ref().map(|place| (place.source.name.clone(), place.span.start))
+        });
+        self
+    }
+
     /// `value` where nothing is wrong.
     ///
     /// # Errors

@@ -114,3 +114,14 @@ fn files_are_read_or_refused_with_their_path() {
     assert_eq!(read("large.ron"), Err("error: cannot read `DIR/large.ron`: larger than 16 MiB".into()));
     assert!(read("").unwrap_err().starts_with("error: cannot read `DIR/`: "));
 }
+
+#[test]
+fn faults_are_put_in_the_order_of_the_text() {
+    let source = Source::new("a.ron", "abc");
+    let mut faults = Faults::default();
+    faults.push(Fault::new("second").at(&source, 2..3, ""));
+    faults.push(Fault::new("first").at(&source, 0..1, ""));
+    faults.push(Fault::new("placeless"));
+    let messages: Vec<_> = faults.in_order().into_iter().map(|fault| fault.message).collect();
+    assert_eq!(messages, ["placeless", "first", "second"]);
+}

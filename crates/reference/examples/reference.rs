@@ -37,7 +37,11 @@ fn main() -> Result<(), Failure> {
         let sum = pixels.iter().fold([0.0f64; 3], |s, p| std::array::from_fn(|c| s[c] + f64::from(p[c])));
         sum.map(|s| s / pixels.len() as f64)
     };
-    println!("mean {:.5?}, standard error of a pixel {:.5?}", mean(&picture.mean), mean(&picture.standard_error));
+    println!(
+        "mean {:.5?}, standard error of a pixel {:.5?}",
+        mean(&picture.mean),
+        mean(&picture.standard_error)
+    );
     write(Path::new(out), &picture)
 }
 
@@ -91,9 +95,12 @@ fn write(out: &Path, picture: &Picture) -> Result<(), Failure> {
     let (width, height) = (picture.width, picture.height);
     if out.extension().is_some_and(|extension| extension == "exr") {
         let pixel = |x: usize, y: usize| picture.mean[y * width as usize + x].into();
-        return Ok(exr::prelude::write_rgb_file(out, width as usize, height as usize, |x, y| -> (f32, f32, f32) {
-            pixel(x, y)
-        })?);
+        return Ok(exr::prelude::write_rgb_file(
+            out,
+            width as usize,
+            height as usize,
+            |x, y| -> (f32, f32, f32) { pixel(x, y) },
+        )?);
     }
     let encode = |value: f32| {
         let value = value.clamp(0.0, 1.0);

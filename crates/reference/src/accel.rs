@@ -97,6 +97,7 @@ fn padded(corners: &[Vec3; 3], extent: f32, rng: &mut Rng) -> Aabb {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 

@@ -20,9 +20,14 @@ pub(crate) enum Lobe {
         f0: Vec3,
         alpha: f32,
     },
-    /// The mirror directions about GGX's visible normals that lie above the surface, normalised to 1.
-    /// Can be sampled only.
-    MirrorDirections { alpha: f32 },
+    /// The density of the mirror directions about GGX's visible normals, restricted to those above
+    /// the surface and normalised to 1.
+    MirrorDirections {
+        alpha: f32,
+        /// How many mirror directions it took to find one above the surface. Its mean over many lobes is
+        /// the reciprocal of the share above, so that it normalises without bias.
+        tries: f32,
+    },
 }
 
 /// A sampled direction.
@@ -30,15 +35,21 @@ pub(crate) struct Scattered {
     pub(crate) direction: Vec3,
     /// Scattering function × cosine / density.
     pub(crate) weight: Vec3,
-    /// Per solid angle; infinite where it can't be known.
+    /// Per solid angle; that of mirror directions before they are restricted.
     pub(crate) pdf: f32,
 }
 
-/// Tries at a mirror direction above the surface, of which at least about half succeed.
+/// Most tries at a mirror direction above the surface, of which at least about half succeed.
 const MIRROR_TRIES: u32 = 64;
 
 impl Lobe {
-    /// Scattering function × cosine, and the density with which [`Lobe::sample`] takes `into`.
+    /// The lobe of mirror directions around `out`'s.
+    pub(crate) fn mirror_directions(out: Vec3, alpha: f32, rng: &mut Rng) -> Self {
+        let (tries, _) = mirror_above(out, alpha, rng);
+        Lobe::MirrorDirections { alpha, tries }
+    }
+
+    /// Scattering function × cosine, and the density of [`Scattered::pdf`] at `into`.
     pub(crate) fn evaluate(&self, out: Vec3, into: Vec3) -> (Vec3, f32) {
         if into.z <= 0.0 {
             return (Vec3::ZERO, 0.0);
@@ -58,7 +69,11 @@ impl Lobe {
                 let pdf = chance * ggx::mirror_pdf(out.z, half, alpha) + (1.0 - chance) * lambert;
                 (base + fresnel * specular * into.z, pdf)
             }
-            Lobe::MirrorDirections { .. } => (Vec3::ZERO, 0.0),
+            Lobe::MirrorDirections { alpha, tries } => {
+                let out = raised(out);
+                let pdf = ggx::mirror_pdf(out.z, (out + into).normalize_or(Vec3::Z), alpha);
+                (Vec3::splat(pdf * tries), pdf)
+            }
         }
     }
 
@@ -79,16 +94,30 @@ impl Lobe {
                 let (value, pdf) = self.evaluate(out, direction);
                 (pdf > 0.0).then(|| Scattered { direction, weight: value / pdf, pdf })
             }
-            Lobe::MirrorDirections { alpha } => {
-                // An interpolated normal may lean away from the eye; the lobe is then that of grazing light.
-                let out = Vec3 { z: out.z.max(1e-4), ..out }.normalize();
-                (0..MIRROR_TRIES)
-                    .map(|_| ggx::sample_mirror(out, alpha, rng.square()))
-                    .find(|direction| direction.z > 0.0)
-                    .map(|direction| Scattered { direction, weight: Vec3::ONE, pdf: f32::INFINITY })
+            Lobe::MirrorDirections { alpha, .. } => {
+                let (_, direction) = mirror_above(out, alpha, rng);
+                let (_, pdf) = self.evaluate(out, direction);
+                (pdf > 0.0).then_some(Scattered { direction, weight: Vec3::ONE, pdf })
             }
         }
     }
+}
+
+/// A mirror direction above the surface, and the number of tries that it took.
+fn mirror_above(out: Vec3, alpha: f32, rng: &mut Rng) -> (f32, Vec3) {
+    let out = raised(out);
+    for tries in 1..MIRROR_TRIES {
+        let direction = ggx::sample_mirror(out, alpha, rng.square());
+        if direction.z > 0.0 {
+            return (tries as f32, direction);
+        }
+    }
+    (MIRROR_TRIES as f32, Vec3::new(-out.x, -out.y, out.z))
+}
+
+/// An interpolated normal may lean away from the eye; its lobe is then that of grazing light.
+fn raised(out: Vec3) -> Vec3 {
+    Vec3 { z: out.z.max(1e-4), ..out }.normalize()
 }
 
 /// How often the specular part is sampled: its share of the reflected light for a mirror at `out`.
@@ -138,6 +167,25 @@ mod tests {
                 .sum::<Vec3>()
                 / n as f32;
             assert!((sampled - uniform).abs().max_element() < 0.01, "{sampled} {uniform}");
+        }
+    }
+
+    /// Below the horizon lies up to half of a rough lobe, which the tries make up for.
+    #[test]
+    fn tries_normalise_the_mirror_directions() {
+        let mut rng = Rng::new(13, 0, 0);
+        let n = 200_000;
+        for alpha in [0.3, 1.0] {
+            let total: f32 = (0..n)
+                .map(|_| {
+                    let lobe = Lobe::mirror_directions(OUT, alpha, &mut rng);
+                    let [u, v] = rng.square();
+                    let (sin, cos) = (std::f32::consts::TAU * v).sin_cos();
+                    let radius = (1.0 - u * u).sqrt();
+                    lobe.evaluate(OUT, Vec3::new(radius * cos, radius * sin, u)).0.x * std::f32::consts::TAU
+                })
+                .sum();
+            assert!((total / n as f32 - 1.0).abs() < 0.02, "{alpha}: {}", total / n as f32);
         }
     }
 

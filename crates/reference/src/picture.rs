@@ -25,8 +25,7 @@ pub(crate) struct Statistics {
 impl Statistics {
     pub(crate) fn add(&mut self, sample: [f32; 3]) {
         self.count += 1.0;
-        for channel in 0..3 {
-            let value = f64::from(sample[channel]);
+        for (channel, value) in sample.map(f64::from).into_iter().enumerate() {
             let before = value - self.mean[channel];
             self.mean[channel] += before / self.count;
             self.squares[channel] += before * (value - self.mean[channel]);

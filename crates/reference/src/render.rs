@@ -96,7 +96,7 @@ impl Tracer {
                 self.gather(surface, lobe, Sources::of(gather), gather.bounces, reflection, rng)
             }
             Quantity::Specular(gather) => {
-                let lobe = surface.mirror_lobe();
+                let lobe = surface.mirror_lobe(rng);
                 self.gather(surface, lobe, Sources::of(gather), gather.bounces, reflection, rng)
             }
             Quantity::Final { bounces } => {

@@ -42,7 +42,9 @@ pub enum PixelSampling {
 pub enum Reflection {
     /// glTF 2.0 appendix B: with `α = max(roughness², 10⁻⁴)`, `c_diff = base·(1 − metallic)`,
     /// `F₀ = mix(0.04, base, metallic)` and Schlick's `F`, the BRDF is
-    /// `(1 − F)·c_diff/π + F·D·G/(4·cosθₒ·cosθᵢ)`, GGX with height-correlated Smith masking.
+    /// `(1 − F)·c_diff/π + F·D·G/(4·cosθₒ·cosθᵢ)`, GGX with height-correlated Smith masking. As
+    /// specified, `F` is taken at the half vector, so that a bright smooth dielectric can reflect more
+    /// than it receives towards a grazing eye.
     Gltf,
     /// `c_diff/π` alone: what voxels that store one radiance for all directions can model.
     Lambert,
@@ -75,14 +77,14 @@ pub struct Gather {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
     /// Mean visibility of a light's disc: `(1/Ω) ∫_Ω V(x, ω) dω` over the solid angle `Ω` that the
-    /// light subtends, in [0,1]. `V` is 0 for directions below the triangle's horizon. A light without
+    /// light subtends, in \[0,1\]. `V` is 0 for directions below the triangle's horizon. A light without
     /// size is one direction. Spots count as spheres, whatever their shade hides. 1 within a light's
     /// sphere and where the camera sees no surface.
     SoftShadow {
         /// Index in [`voxlume_scene::Scene::lights`].
         light: usize,
     },
-    /// Accessibility: `1 − (1/π) ∫ f(d(ω)) cosθ dω`, in [0,1], where `d` is the distance to the first
+    /// Accessibility: `1 − (1/π) ∫ f(d(ω)) cosθ dω`, in \[0,1\], where `d` is the distance to the first
     /// surface and `f(d) = 1/(1 + falloff·d)` below `distance`, else 0. Directions above `n`'s horizon
     /// but below the triangle's own are blocked at distance 0. 1 where the camera sees no surface.
     AmbientOcclusion {

@@ -5,6 +5,7 @@ use voxlume_scene::{Geometry, Material};
 
 use crate::lobe::Lobe;
 use crate::request::Reflection;
+use crate::rng::Rng;
 use crate::sampling::Frame;
 use crate::texture::Textures;
 use crate::triangle::{Crossing, Ray};
@@ -51,8 +52,8 @@ impl Surface {
     }
 
     /// The lobe that the specular quantity gathers through.
-    pub(crate) fn mirror_lobe(&self) -> Lobe {
-        Lobe::MirrorDirections { alpha: self.alpha }
+    pub(crate) fn mirror_lobe(&self, rng: &mut Rng) -> Lobe {
+        Lobe::mirror_directions(self.out, self.alpha, rng)
     }
 
     /// Where rays leave from: above the surface by more than positions are rounded by, so that they

@@ -80,6 +80,7 @@ impl Sheared {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::rng::Rng;

@@ -29,13 +29,13 @@ pub struct Scene {
 pub struct Material {
     /// The name in the file, or `material N`.
     pub name: String,
-    /// Linear RGB reflectance and alpha, each in [0,1].
+    /// Linear RGB reflectance and alpha, each in `[0, 1]`.
     pub base_color: Vec4,
     /// sRGB texture of the base colour.
     pub base_color_texture: Option<TextureRef>,
     /// 0 dielectric, 1 metal.
     pub metallic: f32,
-    /// Perceptual roughness in [0,1]; GGX α is its square.
+    /// Perceptual roughness in `[0, 1]`; GGX α is its square.
     pub roughness: f32,
     /// Linear texture, roughness in G and metallic in B.
     pub metallic_roughness_texture: Option<TextureRef>,
@@ -80,7 +80,7 @@ pub struct TextureRef {
     pub texture: usize,
 }
 
-/// An RGBA8 image, row-major, first row at v = 0. Repeats outside [0,1].
+/// An RGBA8 image, row-major, first row at v = 0. Repeats outside `[0, 1]`.
 #[derive(Clone, PartialEq)]
 pub struct Texture {
     /// The name in the file, or `texture N`.

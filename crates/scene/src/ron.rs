@@ -8,9 +8,9 @@
 //! # `materials`, by name
 //! | field | default | meaning |
 //! |---|---|---|
-//! | `base_color` | 0.8 | reflectance, each part in [0,1]; `(r, g, b, a)` has alpha too |
+//! | `base_color` | 0.8 | reflectance, each part in `[0, 1]`; `(r, g, b, a)` has alpha too |
 //! | `metallic` | 0 | 0 dielectric, 1 metal |
-//! | `roughness` | 1 | perceptual, in [0,1] |
+//! | `roughness` | 1 | perceptual, in `[0, 1]` |
 //! | `emission` | 0 | emitted radiance, W·m⁻²·sr⁻¹ |
 //! | `alpha_cutoff` | | lower alpha is a hole |
 //! | `double_sided` | false | else the camera looks through the back |
@@ -88,7 +88,7 @@ fn read(source: &Arc<Source>, folder: &Path) -> Result<Scene, Faults> {
     let mut fields = Fields::of(document.root())?;
 
     if let Some(materials) = fields.node("materials") {
-        scene.materials = faults.gather(material::read(materials)).unwrap_or_default();
+        scene.materials = material::read(materials, &mut faults);
     }
     if let Some(objects) = fields.node("objects") {
         faults.gather(object::read(objects, folder, &mut scene));
@@ -97,7 +97,7 @@ fn read(source: &Arc<Source>, folder: &Path) -> Result<Scene, Faults> {
     scene.cameras = list(&mut fields, "cameras", camera::read, &mut faults);
     scene.sky = value::colour(&mut fields, "sky", Some(0.0), &mut faults).unwrap_or_default();
     fields.finish(&mut faults);
-    faults.into_result(scene)
+    faults.in_order().into_result(scene)
 }
 
 fn list<T>(

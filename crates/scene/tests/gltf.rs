@@ -155,7 +155,7 @@ fn sparse_and_quantised_accessors() {
     let normals = [0_i16, 0, -32768, 0, 0, -32767, 0, 0, -16000].map(i16::to_le_bytes).concat();
     let normals = file.accessor("VEC3", 5122, 3, &normals);
     file.json["accessors"][normals]["normalized"] = json!(true);
-    let uvs = file.accessor("VEC2", 5121, 3, &[0, 255, 51, 0, 255, 255]);
+    let uvs = file.accessor("VEC2", 5120, 3, &[0, 127, 0x80, 0, 127, 127]);
     file.json["accessors"][uvs]["normalized"] = json!(true);
     file.json["meshes"] = json!([{"primitives": [{"attributes": {"POSITION": positions, "NORMAL": normals, "TEXCOORD_0": uvs}}]}]);
     file.json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
@@ -163,12 +163,17 @@ fn sparse_and_quantised_accessors() {
     let mesh = &scene.meshes[0];
     assert_eq!(mesh.positions, [Vec3::ZERO, Vec3::new(-7.0, 0.0, 0.0), Vec3::new(0.0, 5.0, 0.0)]);
     assert_eq!(mesh.normals, [-Vec3::Z; 3]);
-    assert_eq!(mesh.uvs, [Vec2::new(0.0, 1.0), Vec2::new(0.2, 0.0), Vec2::ONE]);
+    assert_eq!(mesh.uvs, [Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::ONE]);
 
     // Without a bufferView, values are zero where nothing replaces them.
     let mut file = Builder::triangle();
+    let indices = file.view(&[2]);
+    let values = file.view(&[1.0_f32, 2.0, 3.0].map(f32::to_le_bytes).concat());
     file.json["accessors"][0].as_object_mut().unwrap().remove("bufferView");
-    assert_eq!(file.load().unwrap().meshes[0].positions, [Vec3::ZERO; 3]);
+    file.json["accessors"][0]["sparse"] = json!({
+        "count": 1, "indices": {"bufferView": indices, "componentType": 5121}, "values": {"bufferView": values},
+    });
+    assert_eq!(file.load().unwrap().meshes[0].positions, [Vec3::ZERO, Vec3::ZERO, Vec3::new(1.0, 2.0, 3.0)]);
 }
 
 #[test]
@@ -196,7 +201,7 @@ fn textured() -> Builder {
     file.json["images"] = json!([{"bufferView": view, "name": "picture"}]);
     file.json["textures"] = json!([{"source": 0}]);
     file.json["materials"] = json!([{
-        "name": "all", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.3,
+        "name": "all", "doubleSided": true, "alphaMode": "MASK", "alphaCutoff": 0.5,
         "pbrMetallicRoughness": {
             "baseColorFactor": [0.5, 0.6, 0.7, 0.8], "baseColorTexture": {"index": 0},
             "metallicFactor": 0.25, "roughnessFactor": 0.75, "metallicRoughnessTexture": {"index": 0},
@@ -213,7 +218,7 @@ fn materials_and_textures() {
     let material = &scene.materials[0];
     assert_eq!(
         (material.name.as_str(), material.double_sided, material.alpha_cutoff),
-        ("all", true, Some(0.3))
+        ("all", true, Some(0.5))
     );
     assert_eq!(material.base_color, Vec4::new(0.5, 0.6, 0.7, 0.8));
     assert_eq!((material.metallic, material.roughness, material.normal_scale), (0.25, 0.75, 2.0));

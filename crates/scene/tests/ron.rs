@@ -146,26 +146,217 @@ fn all_faults_at_once() {
     sky: "blue",
     camera: [],
     cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
-)"#), @"");
+)"#), @r#"
+    error: unknown field `base_colour`
+      ┌─ DIR/a.ron:3:19
+      │
+    3 │         "white": (base_colour: (1, 1, 1), roughness: 1.5),
+      │                   ^^^^^^^^^^^ did you mean `base_color`? one of: base_color, metallic, roughness, emission, alpha_cutoff, double_sided
+
+    error: `roughness` must be from 0 to 1
+      ┌─ DIR/a.ron:3:54
+      │
+    3 │         "white": (base_colour: (1, 1, 1), roughness: 1.5),
+      │                                                      ^^^
+
+    error: material `white` given twice
+      ┌─ DIR/a.ron:4:9
+      │
+    4 │         "white": (base_color: (1, 2, 3, 4)),
+      │         ^^^^^^^ the second
+
+    error: `base_color` must be from 0 to 1
+      ┌─ DIR/a.ron:4:31
+      │
+    4 │         "white": (base_color: (1, 2, 3, 4)),
+      │                               ^
+
+    error: expected a finite number, found `NaN`
+      ┌─ DIR/a.ron:5:29
+      │
+    5 │         "lamp": (emission: (NaN, 0, 0)),
+      │                             ^^^
+
+    error: `radius` must be above 0
+      ┌─ DIR/a.ron:8:32
+      │
+    8 │         (shape: Sphere(radius: -1, segments: 2), material: "whit"),
+      │                                ^^
+
+    error: `segments` must be from 3 to 2048
+      ┌─ DIR/a.ron:8:46
+      │
+    8 │         (shape: Sphere(radius: -1, segments: 2), material: "whit"),
+      │                                              ^
+
+    error: unknown material `whit`
+      ┌─ DIR/a.ron:8:60
+      │
+    8 │         (shape: Sphere(radius: -1, segments: 2), material: "whit"),
+      │                                                            ^^^^^^ did you mean `white`? one of: white, lamp
+
+    error: unknown shape `Spere`
+      ┌─ DIR/a.ron:9:17
+      │
+    9 │         (shape: Spere(), material: "white"),
+      │                 ^^^^^ did you mean `Sphere`? one of: Box, Quad, Grid, Disc, Cylinder, Sphere, Triangle, Triangles
+
+    error: an object has either `shape` or `gltf`
+       ┌─ DIR/a.ron:10:9
+       │
+    10 │         (shape: Box(min: (0, 0)), gltf: "a.glb", translte: (1, 2, 3)),
+       │         ^ both are given
+
+    error: unknown field `translte`
+       ┌─ DIR/a.ron:10:50
+       │
+    10 │         (shape: Box(min: (0, 0)), gltf: "a.glb", translte: (1, 2, 3)),
+       │                                                  ^^^^^^^^ did you mean `translate`? one of: name, moving, scale, rotate_deg, translate, matrix, material, shape, gltf, inside_out
+
+    error: cannot read `DIR/none.glb`: no such file
+       ┌─ DIR/a.ron:11:16
+       │
+    11 │         (gltf: "none.glb", scale: "big"),
+       │                ^^^^^^^^^^ read from here
+
+    error: expected a number, found a string
+       ┌─ DIR/a.ron:11:35
+       │
+    11 │         (gltf: "none.glb", scale: "big"),
+       │                                   ^^^^^
+
+    error: missing field `material`
+       ┌─ DIR/a.ron:12:9
+       │
+    12 │         (shape: Quad(), inside_out: 1),
+       │         ^ a shape needs one
+
+    error: missing field `corners` of `Quad`
+       ┌─ DIR/a.ron:12:17
+       │
+    12 │         (shape: Quad(), inside_out: 1),
+       │                 ^^^^ needed here
+
+    error: expected `true` or `false`, found `1`
+       ┌─ DIR/a.ron:12:37
+       │
+    12 │         (shape: Quad(), inside_out: 1),
+       │                                     ^
+
+    error: missing field `intensity` of `Point`
+       ┌─ DIR/a.ron:15:9
+       │
+    15 │         Point(position: (0, inf, 0)),
+       │         ^^^^^ needed here
+
+    error: expected a finite number, found `inf`
+       ┌─ DIR/a.ron:15:29
+       │
+    15 │         Point(position: (0, inf, 0)),
+       │                             ^^^
+
+    error: unknown light `Sun`
+       ┌─ DIR/a.ron:16:9
+       │
+    16 │         Sun(direction: (0, 0, 0)),
+       │         ^^^ one of: Directional, Point, Spot
+
+    error: `direction` has no length
+       ┌─ DIR/a.ron:17:32
+       │
+    17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
+       │                                ^
+
+    error: `irradiance` must be at least 0
+       ┌─ DIR/a.ron:17:55
+       │
+    17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
+       │                                                       ^^
+
+    error: `angular_diameter_deg` must be at least 0 and below 180
+       ┌─ DIR/a.ron:17:81
+       │
+    17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
+       │                                                                                 ^^^
+
+    error: the inner angle must be from 0° to the outer angle
+       ┌─ DIR/a.ron:18:9
+       │
+    18 │         Spot(position: (0, 0, 0), direction: (0, -1, 0), intensity: 1, inner_deg: 50, outer_deg: 40),
+       │         ^^^^ its `inner_deg` and `outer_deg`
+
+    error: expected a number, found a string
+       ┌─ DIR/a.ron:20:10
+       │
+    20 │     sky: "blue",
+       │          ^^^^^^
+
+    error: unknown field `camera`
+       ┌─ DIR/a.ron:21:5
+       │
+    21 │     camera: [],
+       │     ^^^^^^ did you mean `cameras`? one of: materials, objects, lights, cameras, sky
+
+    error: no view: `eye` is at `target`, or `up` points along the view
+       ┌─ DIR/a.ron:22:15
+       │
+    22 │     cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
+       │               ^
+
+    error: `fov_deg` must be above 0 and below 180
+       ┌─ DIR/a.ron:22:110
+       │
+    22 │     cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
+       │                                                                                                              ^^^
+    "#);
 }
 
 #[test]
 fn single_faults() {
-    assert_snapshot!(fault("(objects: [(shape: Box() material: \"m\")])"), @r"
-    ");
-    assert_snapshot!(fault("[]"), @r"
-    ");
-    assert_snapshot!(fault("(objects: [Box()])"), @r"
-    ");
+    assert_snapshot!(fault("(objects: [(shape: Box() material: \"m\")])"), @r#"
+    error: expected comma
+      ┌─ DIR/a.ron:1:26
+      │
+    1 │ (objects: [(shape: Box() material: "m")])
+      │                          ^
+    "#);
+    assert_snapshot!(fault("[]"), @r#"
+    error: expected fields `(name: value, ...)`, found a list
+      ┌─ DIR/a.ron:1:1
+      │
+    1 │ []
+      │ ^
+    "#);
+    assert_snapshot!(fault("(objects: [Box()])"), @r#"
+    error: unexpected name `Box`
+      ┌─ DIR/a.ron:1:12
+      │
+    1 │ (objects: [Box()])
+      │            ^^^ only `(name: value, ...)` goes here
+    "#);
     assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(material: "m", shape: Triangles(
         positions: [(0, 0, 0), (1, 0, 0), (0, 1, 0)],
         indices: [(0, 1, 2), (0, 1, 3)],
-    ))])"#), @r"
-    ");
-    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(material: "m", shape: Grid(cells: (100000, 100000)), matrix: [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)], scale: 2)])"#), @r"
-    ");
-    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "far", material: "m", shape: Box(), translate: (1e16, 0, 0))])"#), @r"
-    ");
-    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "wild", material: "m", shape: Box(), scale: 1e300)])"#), @r"
-    ");
+    ))])"#), @r#"
+    error: index out of range
+      ┌─ DIR/a.ron:3:30
+      │
+    3 │         indices: [(0, 1, 2), (0, 1, 3)],
+      │                              ^ there are 3 positions
+    "#);
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(material: "m", shape: Grid(cells: (100000, 100000)), matrix: [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)], scale: 2)])"#), @r#"
+    error: `cells` must be at least 1 and together at most 4000000
+      ┌─ DIR/a.ron:1:69
+      │
+    1 │ (materials: {"m": ()}, objects: [(material: "m", shape: Grid(cells: (100000, 100000)), matrix: [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)], scale: 2)])
+      │                                                                     ^
+
+    error: `matrix` goes without `scale`, `rotate_deg` and `translate`
+      ┌─ DIR/a.ron:1:96
+      │
+    1 │ (materials: {"m": ()}, objects: [(material: "m", shape: Grid(cells: (100000, 100000)), matrix: [(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)], scale: 2)])
+      │                                                                                                ^
+    "#);
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "far", material: "m", shape: Box(), translate: (1e16, 0, 0))])"#), @"error: `DIR/a.ron`: `far` reaches beyond 1e15 units");
+    assert_snapshot!(fault(r#"(materials: {"m": ()}, objects: [(name: "wild", material: "m", shape: Box(), scale: 1e300)])"#), @"error: `DIR/a.ron`: `wild` reaches beyond 1e15 units");
 }

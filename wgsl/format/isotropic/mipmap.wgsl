@@ -1,12 +1,21 @@
-// Isotropic mipmapping: the mean of eight children (RAU §5.3.1).
+// Isotropic mipmapping. Radiance is the mean of eight children, weighted by their opacity (RAU §5.3.1). The mean
+// of their opacities would halve a wall one voxel thick at every level, and light would pass; so the parent
+// is as opaque as along the axis on which its children cover the most.
+
+import package::common::coverage::composite_coverage;
 
 @group(2) @binding(1) var base_source: texture_3d<f32>;
 @group(2) @binding(8) var base_target: texture_storage_3d<rgba16float, write>;
 
 fn voxel_mipmap(cell: vec3u, level: u32) {
     var sum = vec4f(0.0);
+    var opacity: array<vec3f, 8>;
     for (var i = 0u; i < 8; i++) {
-        sum += textureLoad(base_source, cell * 2 + vec3u(i & 1, (i >> 1) & 1, i >> 2), 0);
+        let child = textureLoad(base_source, cell * 2 + vec3u(i & 1, (i >> 1) & 1, i >> 2), 0);
+        sum += child;
+        opacity[i] = vec3f(child.a);
     }
-    textureStore(base_target, cell, sum / 8.0);
+    let coverage = composite_coverage(opacity);
+    let most = max(coverage.x, max(coverage.y, coverage.z));
+    textureStore(base_target, cell, vec4f(sum.rgb * (most / max(sum.a, 1e-6)), most));
 }

@@ -1,6 +1,6 @@
 // The first two bands of the real spherical harmonics, in the order 1, x, y, z (RAU eq. 5.1 with the constant
-// of its figure B.3). The four coefficients stand one above the other along z in one texture: RGB radiance;
-// the first also has the opacity.
+// of its figure B.3). The four coefficients stand one above the other along z in one texture: RGB is radiance
+// times mean opacity, and alpha the mean opacity, then the opacities seen along x, y and z.
 
 const COEFFICIENTS = 4u;
 // 1 / (2√π)

@@ -18,19 +18,23 @@ fn sample_harmonics(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     let depth = f32(textureDimensions(harmonics).x >> u32(ceil(level)));
     let half_texel = 0.5 / max(depth, 1.0);
     let c0 = sample_coefficient(0, uvw, level, half_texel);
-    let slope = direction.x * sample_coefficient(1, uvw, level, half_texel).rgb
-        + direction.y * sample_coefficient(2, uvw, level, half_texel).rgb
-        + direction.z * sample_coefficient(3, uvw, level, half_texel).rgb;
-    return vec4f(max(SH0 * c0.rgb - SH1 * slope, vec3f(0.0)), c0.a);
+    let cx = sample_coefficient(1, uvw, level, half_texel);
+    let cy = sample_coefficient(2, uvw, level, half_texel);
+    let cz = sample_coefficient(3, uvw, level, half_texel);
+    let slope = direction.x * cx.rgb + direction.y * cy.rgb + direction.z * cz.rgb;
+    let opacity = dot(direction * direction, vec3f(cx.a, cy.a, cz.a));
+    let radiance = max(SH0 * c0.rgb - SH1 * slope, vec3f(0.0)) / max(c0.a, 1e-6);
+    return vec4f(radiance * opacity, opacity);
 }
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     if (level <= 0.0) {
         return textureSampleLevel(base, volume_sampler, uvw, 0.0);
     }
-    if (level < 1.0) {
-        return mix(textureSampleLevel(base, volume_sampler, uvw, 0.0), sample_harmonics(uvw, 0.0, direction), level);
-    }
     let coarsest = f32(textureNumLevels(harmonics) - 1);
-    return sample_harmonics(uvw, min(level - 1.0, coarsest), direction);
+    let coarse = sample_harmonics(uvw, clamp(level - 1.0, 0.0, coarsest), direction);
+    if (level >= 1.0) {
+        return coarse;
+    }
+    return mix(textureSampleLevel(base, volume_sampler, uvw, 0.0), coarse, level);
 }

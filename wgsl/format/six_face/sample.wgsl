@@ -27,9 +27,10 @@ fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     if (level <= 0.0) {
         return textureSampleLevel(base, volume_sampler, uvw, 0.0);
     }
-    if (level < 1.0) {
-        return mix(textureSampleLevel(base, volume_sampler, uvw, 0.0), sample_faces(uvw, 0.0, direction), level);
-    }
     let coarsest = f32(textureNumLevels(faces) - 1);
-    return sample_faces(uvw, min(level - 1.0, coarsest), direction);
+    let coarse = sample_faces(uvw, clamp(level - 1.0, 0.0, coarsest), direction);
+    if (level >= 1.0) {
+        return coarse;
+    }
+    return mix(textureSampleLevel(base, volume_sampler, uvw, 0.0), coarse, level);
 }

@@ -61,15 +61,14 @@ pub(super) fn read(
     let reader = Reader { accessors, place, primitive, count };
     let mut faults = Faults::default();
 
-    let positions = faults.gather(reader.read(Semantic::Positions, "POSITION", Vec3::from_array));
+    let positions = reader.read(Semantic::Positions, "POSITION", Vec3::from_array)?.unwrap_or_default();
     let normals = faults.gather(reader.read(Semantic::Normals, "NORMAL", Vec3::from_array)).flatten();
     let tangents = faults.gather(reader.read(Semantic::Tangents, "TANGENT", Vec4::from_array)).flatten();
     let set = used.uvs.set;
     let map = |uv| used.uvs.apply(Vec2::from_array(uv));
     let uvs = faults.gather(reader.read(Semantic::TexCoords(set), &format!("TEXCOORD_{set}"), map)).flatten();
     let triangles = faults.gather(reader.triangles());
-    let (positions, triangles) = (positions.flatten().unwrap_or_default(), triangles.unwrap_or_default());
-    faults.into_result(())?;
+    let triangles = faults.into_result(triangles.unwrap_or_default())?;
 
     let uvs = uvs.unwrap_or_else(|| vec![Vec2::ZERO; count]);
     let mut mesh = Mesh { name, positions, uvs, triangles, material: used.material, ..Mesh::default() };

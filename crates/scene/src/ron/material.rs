@@ -7,19 +7,19 @@ use voxlume_fault::ron::{FromRon, Node};
 use super::value::{self, Colour};
 use crate::Material;
 
-pub(super) fn read(node: Node<'_>) -> Result<Vec<Material>, Faults> {
-    let mut faults = Faults::default();
+pub(super) fn read(node: Node<'_>, faults: &mut Faults) -> Vec<Material> {
     let mut materials: Vec<Material> = Vec::new();
-    for (key, value) in node.entries()? {
+    for (key, value) in faults.gather(node.entries()).unwrap_or_default() {
         let Some(name) = faults.gather(key.get::<String>()) else { continue };
-        if materials.iter().any(|known| known.name == name) {
-            faults.push(key.fault(format!("material `{name}` given twice"), "the second"));
-        }
         // A faulty material still has a name that objects may use.
         let material = faults.gather(material(value)).flatten().unwrap_or_default();
-        materials.push(Material { name, ..material });
+        if materials.iter().any(|known| known.name == name) {
+            faults.push(key.fault(format!("material `{name}` given twice"), "the second"));
+        } else {
+            materials.push(Material { name, ..material });
+        }
     }
-    faults.into_result(materials)
+    materials
 }
 
 /// `None` only with a fault.

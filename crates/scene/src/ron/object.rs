@@ -56,8 +56,9 @@ impl Objects<'_> {
                     None => brought,
                 }
             }),
-            _ => {
-                faults.push(node.fault("an object has either `shape` or `gltf`", "one of them is needed"));
+            (shape, _) => {
+                let label = if shape.is_some() { "both are given" } else { "neither is given" };
+                faults.push(node.fault("an object has either `shape` or `gltf`", label));
                 fields.node("inside_out");
                 None
             }

@@ -1,0 +1,121 @@
+//! Arguments that several commands share.
+
+use std::path::PathBuf;
+
+use voxlume::{Faults, Formats, Library, Plan, Request, Scene, SceneFacts, Value};
+
+use crate::pipeline;
+
+/// A scene, a pipeline, and what replaces the pipeline's own words.
+#[derive(clap::Args)]
+pub struct PlanArgs {
+    /// Scene file: .ron, .gltf or .glb
+    pub scene: PathBuf,
+
+    /// Name of a built-in pipeline (gi), or a .ron file
+    #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
+    pub pipeline: String,
+
+    /// Storage format, instead of the pipeline's: isotropic, six_face, sh2
+    #[arg(long)]
+    pub format: Option<String>,
+
+    /// Texel encoding, instead of the pipeline's: rgba16float
+    #[arg(long)]
+    pub encoding: Option<String>,
+
+    /// Voxels along the grid's side, instead of the pipeline's: 16, 32, 64, 128, 256, 512
+    #[arg(long, value_name = "N")]
+    pub resolution: Option<u32>,
+
+    /// Width and height of the image in pixels
+    #[arg(long, value_name = "WxH", default_value = "512x512", value_parser = size)]
+    pub size: [u32; 2],
+
+    /// Image to make, instead of the pipeline's: final, diffuse, specular, ao, shadow, albedo, normal, geometry,
+    /// emission, depth, or one that a pass of your own writes
+    #[arg(long, value_name = "IMAGE")]
+    pub output: Option<String>,
+
+    /// Sets a parameter of a pass: a number, a word or numbers with commas; may be repeated
+    #[arg(long, value_name = "PASS.PARAM=VALUE", value_parser = setting)]
+    pub set: Vec<(String, String, Value)>,
+}
+
+impl PlanArgs {
+    /// Plans the pipeline for the scene.
+    pub fn plan(&self, scene: &Scene) -> Result<Plan, Faults> {
+        let request = Request {
+            format: self.format.clone(),
+            encoding: self.encoding.clone(),
+            resolution: self.resolution,
+            output: self.output.clone(),
+            set: self.set.clone(),
+            screen: self.size,
+        };
+        let pipeline = pipeline::load(&self.pipeline)?;
+        voxlume::plan(&pipeline, &SceneFacts::of(scene), &Formats::builtin(), &Library::builtin(), &request)
+    }
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+    sides.ok_or_else(|| "two whole numbers with an `x` between them, such as 640x360".into())
+}
+
+fn setting(text: &str) -> Result<(String, String, Value), String> {
+    let form = || "a pass, a parameter and a value, such as bounce.bounces=1".to_owned();
+    let (place, value) = text.split_once('=').ok_or_else(form)?;
+    let (pass, param) = place.rsplit_once('.').ok_or_else(form)?;
+    if pass.is_empty() || param.is_empty() || value.is_empty() {
+        return Err(form());
+    }
+    Ok((pass.to_owned(), param.to_owned(), parameter(value)?))
+}
+
+fn parameter(text: &str) -> Result<Value, String> {
+    let finite = |number: f64| if number.is_finite() { Ok(number) } else { Err("a parameter must be finite".to_owned()) };
+    let bare = text.trim_start_matches('(').trim_end_matches(')');
+    if bare.contains(',') {
+        let numbers = bare.split(',').map(|item| match item.trim().parse() {
+            Ok(number) => finite(number),
+            Err(_) => Err(format!("`{}` is no number", item.trim())),
+        });
+        return Ok(Value::Vector(numbers.collect::<Result<_, _>>()?));
+    }
+    match text {
+        "true" => Ok(Value::Number(1.0)),
+        "false" => Ok(Value::Number(0.0)),
+        _ => text.parse().map_or_else(|_| Ok(Value::Word(text.to_owned())), |number| finite(number).map(Value::Number)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("640x360"), Ok([640, 360]));
+        for wrong in ["640", "640x", "x", "640x360x2", "-1x5", "64 x 64", "99999999999x1"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn settings() {
+        let set = |value| ("light".to_owned(), "bias".to_owned(), value);
+        assert_eq!(setting("light.bias=1.5"), Ok(set(Value::Number(1.5))));
+        assert_eq!(setting("light.bias=-2e3"), Ok(set(Value::Number(-2000.0))));
+        assert_eq!(setting("light.bias=true"), Ok(set(Value::Number(1.0))));
+        assert_eq!(setting("light.bias=voxel_ray"), Ok(set(Value::Word("voxel_ray".into()))));
+        assert_eq!(setting("light.bias=1, 2.5,-3"), Ok(set(Value::Vector(vec![1.0, 2.5, -3.0]))));
+        assert_eq!(setting("light.bias=(1,2)"), Ok(set(Value::Vector(vec![1.0, 2.0]))));
+        assert_eq!(setting("light.bias=inf"), Err("a parameter must be finite".into()));
+        assert_eq!(setting("light.bias=1,nan"), Err("a parameter must be finite".into()));
+        assert_eq!(setting("light.bias=1,b"), Err("`b` is no number".into()));
+        for wrong in ["", "light", "light.bias", "bias=1", ".bias=1", "light.=1", "light.bias="] {
+            assert!(setting(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Pipelines planned in every way that matters, without a scene.
+
+use glam::DVec3;
+use voxlume::{Faults, Formats, KINDS, Library, Pipeline, Request, SceneFacts, Value, plan};
+
+/// Plans a pipeline with every format for scenes that need all of it. A fault may come several times.
+pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
+    let mut faults = Faults::default();
+    for format in formats.iter() {
+        let mut request = Request { format: Some(format.name().to_owned()), set: used(pipeline), ..Request::image(64, 64) };
+        // The file's own word is checked as well.
+        if !formats.iter().any(|known| known.name() == pipeline.format.value) {
+            request.format = None;
+        }
+        let mut planned = |request: &Request, facts: &SceneFacts| {
+            faults.gather(plan(pipeline, facts, formats, library, request))
+        };
+        // What a plan lacks, as nobody reads it, is planned for its own sake.
+        if let Some(whole) = planned(&request, &rich(Some(2))) {
+            let absent = pipeline.passes.iter().filter(|pass| !whole.passes.iter().any(|other| other.name == pass.name));
+            let images = absent.filter(|pass| is_screen(&pass.run.value)).flat_map(|pass| &pass.writes);
+            for image in images {
+                planned(&Request { output: Some(image.value.clone()), ..request.clone() }, &rich(Some(2)));
+            }
+        }
+        planned(&request, &rich(None));
+    }
+    faults
+}
+
+/// Whether a pass makes images: an effect or the composite.
+fn is_screen(run: &str) -> bool {
+    run == "composite" || !KINDS.iter().any(|kind| kind.name == run)
+}
+
+/// Bounces that the file turns off are checked too.
+fn used(pipeline: &Pipeline) -> Vec<(String, String, Value)> {
+    let bounces = pipeline.passes.iter().filter(|pass| pass.run.value == "bounce");
+    let off = bounces.filter(|pass| {
+        pass.params.iter().any(|param| param.name == "bounces" && param.value == Value::Number(0.0))
+    });
+    off.map(|pass| (pass.name.clone(), "bounces".to_owned(), Value::Number(1.0))).collect()
+}
+
+/// A scene with every feature. Its emission is so many polygons, or has to be gathered from voxels.
+fn rich(polygons: Option<u32>) -> SceneFacts {
+    SceneFacts {
+        bounds: Some((DVec3::ZERO, DVec3::ONE)),
+        triangles: 1000,
+        vertices: 3000,
+        materials: 4,
+        directional: 1,
+        point: 1,
+        spot: 1,
+        polygons,
+        emissive: true,
+        textured: true,
+        texture_layers: [1, 2],
+        texture_size: 64,
+        masked: true,
+        glossy: true,
+        moving: true,
+    }
+}

@@ -1,0 +1,58 @@
+//! WGSL files among the built-in modules.
+
+use std::collections::BTreeSet;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use voxlume::{Faults, Formats, Library, Source, check_all};
+
+/// Checks all built-in modules with these files in their places.
+pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Library) -> Faults {
+    let mut faults = Faults::default();
+    // Files that would take the same place are checked one after the other.
+    let mut rounds = vec![(builtin.clone(), BTreeSet::new())];
+    for (path, source) in files {
+        let module = module_path(path);
+        let free = rounds.iter().position(|(_, taken)| !taken.contains(&module)).unwrap_or(rounds.len());
+        if free == rounds.len() {
+            rounds.push((builtin.clone(), BTreeSet::new()));
+        }
+        rounds[free].0.insert(&module, Arc::clone(source));
+        rounds[free].1.insert(module);
+    }
+    let formats: Vec<&str> = formats.iter().map(|format| format.modules()).collect();
+    for (library, _) in &rounds {
+        let effects: Vec<&str> = library.paths().filter(|path| path.starts_with("effect/")).collect();
+        faults.extend(check_all(library, &[("format", &formats), ("effect", &effects)]));
+    }
+    faults
+}
+
+/// The place below a folder `wgsl`, or that of an effect.
+fn module_path(path: &Path) -> String {
+    let path = path.with_extension("");
+    let parts: Vec<String> = path
+        .components()
+        .filter_map(|part| match part {
+            Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+            _ => None,
+        })
+        .collect();
+    match parts.iter().rposition(|part| part == "wgsl") {
+        Some(at) if at + 1 < parts.len() => parts[at + 1..].join("/"),
+        _ => format!("effect/{}", parts.last().map(String::as_str).unwrap_or_default()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_of_files() {
+        assert_eq!(module_path(Path::new("wgsl/common/cone.wgsl")), "common/cone");
+        assert_eq!(module_path(Path::new("/a/wgsl/format/sh2/store.wgsl")), "format/sh2/store");
+        assert_eq!(module_path(Path::new("pipelines/glow.wgsl")), "effect/glow");
+        assert_eq!(module_path(Path::new("./wgsl.wgsl")), "effect/wgsl");
+    }
+}

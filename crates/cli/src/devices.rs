@@ -1,0 +1,47 @@
+//! `voxlume devices`.
+
+use voxlume::wgpu::{AdapterInfo, DeviceType};
+use voxlume::{Error, Gpu};
+
+use crate::failure::Failure;
+use crate::table::Table;
+
+/// List the graphics devices that --adapter and WGPU_ADAPTER_NAME choose from
+///
+/// Ends with exit code 1, and says what to install, where there is none.
+#[derive(clap::Args)]
+pub struct Args {}
+
+/// Runs the command.
+pub fn run(_: &Args) -> Result<(), Failure> {
+    let devices = Gpu::list();
+    if devices.is_empty() {
+        return Err(Error::NoAdapter.into());
+    }
+    let mut table = Table::new(["name", "type", "backend", "timestamps", "driver"]);
+    for info in &devices {
+        let timestamps = match Gpu::open(Some(&info.name)) {
+            Ok(gpu) if gpu.has_timestamps() => "yes".to_owned(),
+            Ok(_) => "no".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        table.row([info.name.clone(), kind(info).into(), info.backend.to_string(), timestamps, driver(info)]);
+    }
+    crate::print(&table.to_string())
+}
+
+/// What sort of device it is, in words.
+pub fn kind(info: &AdapterInfo) -> &'static str {
+    match info.device_type {
+        DeviceType::Cpu => "software device",
+        DeviceType::DiscreteGpu => "discrete GPU",
+        DeviceType::IntegratedGpu => "integrated GPU",
+        DeviceType::VirtualGpu => "virtual GPU",
+        DeviceType::Other => "unknown type",
+    }
+}
+
+/// The driver's name and version.
+pub fn driver(info: &AdapterInfo) -> String {
+    format!("{} {}", info.driver, info.driver_info).trim().to_owned()
+}

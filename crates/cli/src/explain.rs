@@ -1,0 +1,26 @@
+//! `voxlume explain`.
+
+use voxlume::Scene;
+
+use crate::args::PlanArgs;
+use crate::failure::Failure;
+
+/// Print the plan: passes in order, resources and their bytes, and what was left out and why
+///
+/// Needs no GPU.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  voxlume explain scenes/cornell.ron
+  voxlume explain scenes/cornell.ron --format six_face --resolution 256
+  voxlume explain scenes/cornell.ron --output ao")]
+pub struct Args {
+    #[command(flatten)]
+    plan: PlanArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let scene = Scene::load(&args.plan.scene)?;
+    let plan = args.plan.plan(&scene)?;
+    crate::print(&voxlume::explain(&plan))
+}

@@ -1,0 +1,82 @@
+//! The program `voxlume`: renders scenes, explains and checks pipelines, lists devices.
+
+mod args;
+mod check;
+mod devices;
+mod explain;
+mod failure;
+mod outfile;
+mod picture;
+mod pipeline;
+mod progress;
+mod render;
+mod statistics;
+mod table;
+mod timing;
+mod tone;
+
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use tracing_subscriber::EnvFilter;
+use tracing_subscriber::filter::LevelFilter;
+
+use crate::failure::Failure;
+
+/// Voxel cone tracing with storage formats that one word swaps.
+#[derive(Parser)]
+#[command(name = "voxlume", version, max_term_width = 100, after_help = EXAMPLES)]
+struct Program {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "Examples:
+  voxlume render scenes/cornell.ron -o cornell.png
+  voxlume render scenes/cornell.ron --format sh2 --resolution 64 --repeat 20 -o sh2.png --json sh2.json
+  voxlume explain scenes/cornell.ron
+  voxlume check pipelines/gi.ron my_effect.wgsl
+
+Exit codes: 0 done, 1 the work failed, 2 bad input or usage. RUST_LOG=info shows what goes on inside.";
+
+#[derive(Subcommand)]
+enum Command {
+    Render(render::Args),
+    Explain(explain::Args),
+    Check(check::Args),
+    Devices(devices::Args),
+}
+
+fn main() -> ExitCode {
+    let program = Program::parse();
+    let filter = EnvFilter::builder().with_default_directive(LevelFilter::WARN.into()).from_env_lossy();
+    let colour = std::io::stderr().is_terminal();
+    tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).with_ansi(colour).init();
+
+    let done = match &program.command {
+        Command::Render(args) => render::run(args),
+        Command::Explain(args) => explain::run(args),
+        Command::Check(args) => check::run(args),
+        Command::Devices(args) => devices::run(args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nobody is left to tell where stderr is closed.
+            let _ = writeln!(std::io::stderr(), "{failure}");
+            failure.exit_code()
+        }
+    }
+}
+
+/// Prints to stdout. A reader that has seen enough, such as `head`, is no failure.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::work(format!("cannot write to the standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}

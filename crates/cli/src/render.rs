@@ -1,0 +1,133 @@
+//! `voxlume render`.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use voxlume::{Camera, Fault, Gpu, Passes, Renderer, Scene};
+use voxlume_fault::suggest;
+
+use crate::args::PlanArgs;
+use crate::failure::Failure;
+use crate::outfile::{self, OutFile};
+use crate::picture::Kind;
+use crate::progress::Progress;
+use crate::timing::{Device, Frames, Report, Resource};
+
+/// Render a scene to PNG and EXR, and tell what it cost
+///
+/// A PNG is for the eye: images of light are multiplied by 2^EV (--exposure), tone-mapped by the Khronos PBR
+/// Neutral curve and sRGB-encoded; albedo is only sRGB-encoded; normal and geometry are shown as n/2 + 1/2; ao,
+/// shadow and depth are clamped to [0, 1]. An EXR has the linear values as computed, in 32-bit float, with alpha
+/// as the pass left it (final: 1 on surfaces, 0 in the sky; shadow: the fourth light).
+///
+/// Every timed frame runs all passes, also those, such as voxelize, that a still scene needs only once.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  voxlume render scenes/cornell.ron -o cornell.png
+  voxlume render scenes/cornell.ron --format six_face -o cornell.png -o cornell.exr
+  voxlume render scenes/cornell.ron --output ao -o ao.png
+  voxlume render scenes/cornell.ron --set bounce.bounces=1 --exposure 0.5 -o bright.png
+  voxlume render scenes/cornell.ron --size 640x360 --repeat 20 -o cornell.png --json cornell.json")]
+pub struct Args {
+    #[command(flatten)]
+    plan: PlanArgs,
+
+    /// Camera of the scene; the first one unless given
+    #[arg(long, value_name = "NAME")]
+    camera: Option<String>,
+
+    /// Part of the name of the graphics device to use; see `voxlume devices`
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+
+    /// Frames to time, after one of warm-up
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    repeat: u32,
+
+    /// Exposure of PNGs in stops
+    #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = exposure)]
+    exposure: f32,
+
+    /// File to write, by its extension .png or .exr; may be repeated
+    #[arg(short, value_name = "FILE", required = true)]
+    out: Vec<PathBuf>,
+
+    /// File to write times and bytes to
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+fn exposure(text: &str) -> Result<f32, String> {
+    let stops = text.parse().ok().filter(|stops: &f32| stops.abs() <= 100.0);
+    stops.ok_or_else(|| "a number from -100 to 100".into())
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    // What can be refused at once is, before the long work.
+    let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
+    let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
+    let json = args.json.as_deref().map(OutFile::new).transpose()?;
+
+    let mut progress = Progress::new();
+    progress.stage(format!("loading {}", args.plan.scene.display()));
+    let scene = Scene::load(&args.plan.scene)?;
+    let camera = camera(&scene, args.camera.as_deref())?;
+    progress.stage("planning".into());
+    let plan = args.plan.plan(&scene)?;
+
+    progress.stage(format!("compiling {} passes", plan.passes.len()));
+    let gpu = Gpu::open(args.adapter.as_deref())?;
+    let mut renderer = Renderer::new(&gpu, plan, &scene)?;
+    progress.stage("rendering".into());
+    renderer.render(&scene, camera, Passes::All)?;
+    let mut frames = Frames::default();
+    for frame in 1..=args.repeat {
+        progress.repeated(format!("rendering frame {frame}/{}", args.repeat));
+        let start = Instant::now();
+        let times = renderer.render(&scene, camera, Passes::All)?;
+        frames.push(times, start.elapsed().as_secs_f64() * 1e3);
+    }
+
+    progress.stage("writing".into());
+    let report = report(&gpu, &scene, &renderer, &frames);
+    let name = &renderer.plan().resources[renderer.plan().output].name;
+    let picture = renderer.picture(name)?;
+    let mut files = Vec::new();
+    for (kind, file) in pictures {
+        files.push((file, kind.encode(&picture, name, args.exposure.exp2())?));
+    }
+    if let Some(file) = json {
+        let text = serde_json::to_string_pretty(&report).map_err(|error| Failure::work(error.to_string()))?;
+        files.push((file, (text + "\n").into_bytes()));
+    }
+    outfile::write(&files)?;
+    drop(progress);
+    crate::print(&report.tables(&frames))
+}
+
+fn camera<'s>(scene: &'s Scene, name: Option<&str>) -> Result<&'s Camera, Fault> {
+    let names = scene.cameras.iter().map(|camera| camera.name.as_str());
+    let found = match name {
+        Some(name) => scene.cameras.iter().find(|camera| camera.name == name),
+        None => scene.cameras.first(),
+    };
+    let name = name.unwrap_or_default();
+    found.ok_or_else(|| Fault::new(format!("unknown camera `{name}`")).note(suggest(name, names)))
+}
+
+fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) -> Report {
+    let plan = renderer.plan();
+    Report {
+        schema: 1,
+        device: Device::new(&gpu.info),
+        scene: scene.name.clone(),
+        format: plan.format.clone(),
+        encoding: plan.encoding.name().into(),
+        resolution: plan.grid.size.into_iter().max().unwrap_or(0),
+        passes: frames.passes(),
+        total_ms: frames.total().0,
+        resources: renderer.bytes().into_iter().map(|(name, bytes)| Resource { name, bytes }).collect(),
+        occupied_voxels: renderer.counts().0,
+    }
+}

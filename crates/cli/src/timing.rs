@@ -1,0 +1,167 @@
+//! What a run cost, as a table and as JSON.
+
+use serde::Serialize;
+use voxlume::wgpu::AdapterInfo;
+use voxlume::{Clock, PassTime};
+
+use crate::devices;
+use crate::statistics::median_and_spread;
+use crate::table::Table;
+
+/// Times and bytes of a run. Its JSON is version 1 of `render --json`.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// Version of the JSON's form.
+    pub schema: u32,
+    /// What it ran on.
+    pub device: Device,
+    /// The scene's name.
+    pub scene: String,
+    /// Storage format.
+    pub format: String,
+    /// Texel encoding.
+    pub encoding: String,
+    /// Voxels along the grid's longest side.
+    pub resolution: u32,
+    /// In the order of execution.
+    pub passes: Vec<Pass>,
+    /// Median over the frames of the sum of all passes.
+    pub total_ms: f64,
+    /// Buffers and textures.
+    pub resources: Vec<Resource>,
+    /// Voxels that a triangle touches.
+    pub occupied_voxels: u64,
+}
+
+/// A device.
+#[derive(Debug, Serialize)]
+pub struct Device {
+    name: String,
+    #[serde(rename = "type")]
+    kind: &'static str,
+    driver: String,
+}
+
+/// A pass's time over the frames.
+#[derive(Debug, Serialize)]
+pub struct Pass {
+    name: String,
+    median_ms: f64,
+    /// Interquartile range.
+    spread_ms: f64,
+    clock: &'static str,
+}
+
+/// A resource's size.
+#[derive(Debug, Serialize)]
+pub struct Resource {
+    /// Its name in the plan.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: u64,
+}
+
+/// The times of some frames.
+#[derive(Debug, Default)]
+pub struct Frames {
+    /// Of each frame, its passes.
+    passes: Vec<Vec<PassTime>>,
+    /// Of each frame, milliseconds from the first command to the last result.
+    wall: Vec<f64>,
+}
+
+impl Frames {
+    /// Adds a frame.
+    pub fn push(&mut self, passes: Vec<PassTime>, wall_ms: f64) {
+        self.passes.push(passes);
+        self.wall.push(wall_ms);
+    }
+
+    /// Each pass's time over all frames.
+    pub fn passes(&self) -> Vec<Pass> {
+        let first = self.passes.first().map(Vec::as_slice).unwrap_or_default();
+        let over_frames = |index: usize| -> Vec<f64> {
+            self.passes.iter().filter_map(|frame| Some(frame.get(index)?.milliseconds)).collect()
+        };
+        first
+            .iter()
+            .enumerate()
+            .map(|(index, pass)| {
+                let (median_ms, spread_ms) = median_and_spread(&over_frames(index));
+                let clock = match pass.clock {
+                    Clock::Gpu => "gpu",
+                    Clock::Wall => "wall",
+                };
+                Pass { name: pass.name.clone(), median_ms, spread_ms, clock }
+            })
+            .collect()
+    }
+
+    /// Median and spread of the sum of all passes.
+    pub fn total(&self) -> (f64, f64) {
+        let sums: Vec<f64> =
+            self.passes.iter().map(|frame| frame.iter().map(|pass| pass.milliseconds).sum()).collect();
+        median_and_spread(&sums)
+    }
+}
+
+impl Device {
+    /// Of an adapter.
+    pub fn new(info: &AdapterInfo) -> Device {
+        Device { name: info.name.clone(), kind: devices::kind(info), driver: devices::driver(info) }
+    }
+}
+
+impl Report {
+    /// The tables that `render` prints.
+    pub fn tables(&self, frames: &Frames) -> String {
+        let Device { name, kind, driver } = &self.device;
+        let (format, encoding, n, occupied) = (&self.format, &self.encoding, self.resolution, self.occupied_voxels);
+        let clock = match self.passes.first().map(|pass| pass.clock) {
+            Some("gpu") => "the device's timestamps",
+            _ => "the host's clock, as the device has no timestamps",
+        };
+        let mut passes = Table::new(["pass", "median ms", "spread ms"]).numbers_from(1);
+        let mut time = |name: &str, (median, spread): (f64, f64)| {
+            passes.row([name.to_owned(), format!("{median:.2}"), format!("{spread:.2}")]);
+        };
+        for pass in &self.passes {
+            time(&pass.name, (pass.median_ms, pass.spread_ms));
+        }
+        time("all passes", frames.total());
+        time("frame by the host's clock", median_and_spread(&frames.wall));
+        let mut resources = Table::new(["resource", "bytes"]).numbers_from(1);
+        for resource in &self.resources {
+            resources.row([resource.name.clone(), resource.bytes.to_string()]);
+        }
+        let bytes: u64 = self.resources.iter().map(|resource| resource.bytes).sum();
+        resources.row(["all resources".to_owned(), bytes.to_string()]);
+        let count = match frames.wall.len() {
+            1 => "one frame".to_owned(),
+            count => format!("{count} frames (spread: interquartile range)"),
+        };
+        format!(
+            "device: {name} ({kind}), driver {driver}\n\
+             {}: {format} {encoding}, {n} × {n} × {n} voxels, {occupied} occupied\n\n\
+             times of {count} after one of warm-up, by {clock}\n{passes}\n{resources}",
+            self.scene
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_total_is_of_frames_not_of_medians() {
+        let mut frames = Frames::default();
+        for (a, b) in [(1.0, 9.0), (2.0, 2.0), (9.0, 1.0)] {
+            let pass = |name: &str, milliseconds| PassTime { pass: 0, name: name.into(), milliseconds, clock: Clock::Gpu };
+            frames.push(vec![pass("a", a), pass("b", b)], 20.0);
+        }
+        let medians: Vec<f64> = frames.passes().iter().map(|pass| pass.median_ms).collect();
+        assert_eq!(medians, [2.0, 2.0]);
+        assert_eq!(frames.total().0, 10.0);
+    }
+}
