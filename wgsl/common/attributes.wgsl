@@ -1,10 +1,11 @@
-// A voxel's attributes, decoded from their fixed-point sums.
+// A voxel's attributes, decoded from their fixed-point sums: weight, weight of double-sided surfaces, reflectance,
+// the normals' positive and negative parts, emission.
 
 import package::common::frame::frame;
 
 @group(1) @binding(4) var<storage, read> attributes: array<u32>;
 
-override ATTRIBUTE_STRIDE: u32 = 10;
+override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_VOXEL_EMISSION: bool = true;
 
 struct VoxelSurface {
@@ -12,26 +13,40 @@ struct VoxelSurface {
     albedo: vec3f,
     // Unit mean normal; zero where opposite surfaces cancel.
     normal: vec3f,
+    // Share of the voxel's surfaces that are double-sided.
+    double_sided: f32,
+    // Coverage seen by an observer at +x, +y, +z, and at −x, −y, −z: [0, 1]. Surfaces cover from their front.
+    front: vec3f,
+    back: vec3f,
     // W·m⁻²·sr⁻¹
     emission: vec3f,
 }
 
+fn attribute_vector(first: u32) -> vec3f {
+    return vec3f(f32(attributes[first]), f32(attributes[first + 1]), f32(attributes[first + 2]));
+}
+
 fn voxel_surface(slot: u32) -> VoxelSurface {
     let first = slot * ATTRIBUTE_STRIDE;
-    let weight = max(f32(attributes[first]), 1.0);
+    let per_weight = 1.0 / max(f32(attributes[first]), 1.0);
     var s: VoxelSurface;
-    s.albedo = vec3f(f32(attributes[first + 1]), f32(attributes[first + 2]), f32(attributes[first + 3])) / weight;
-    s.normal = vec3f(
-        f32(i32(attributes[first + 4])),
-        f32(i32(attributes[first + 5])),
-        f32(i32(attributes[first + 6])),
-    ) / weight * (frame.attribute_scale / frame.normal_scale);
-    let size = length(s.normal);
+    s.double_sided = f32(attributes[first + 1]) * per_weight;
+    s.albedo = attribute_vector(first + 2) * per_weight;
+    let positive = attribute_vector(first + 5) * per_weight;
+    let negative = attribute_vector(first + 8) * per_weight;
+    let sum = positive - negative;
+    let size = length(sum);
     // Below this the mean says nothing of any one surface.
-    s.normal = select(vec3f(0.0), s.normal / size, size > 0.1);
+    s.normal = select(vec3f(0.0), sum / size, size > 0.1);
+    // A plane of normal n crosses |n|₁ voxels for each face that it covers, so each face of a voxel that it crosses
+    // is covered by |nᵢ|·|n|₁ at most.
+    let both = positive + negative;
+    let crossing = both.x + both.y + both.z;
+    let other = s.double_sided * both;
+    s.front = saturate(max(positive, other) * crossing);
+    s.back = saturate(max(negative, other) * crossing);
     if (HAS_VOXEL_EMISSION) {
-        s.emission = vec3f(f32(attributes[first + 7]), f32(attributes[first + 8]), f32(attributes[first + 9]))
-            / weight * frame.emission_max;
+        s.emission = attribute_vector(first + 11) * per_weight * frame.emission_max;
     }
     return s;
 }

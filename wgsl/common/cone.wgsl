@@ -2,12 +2,13 @@
 // back: c += T·c₂, T ·= 1 − α₂ with premultiplied c₂.
 
 import package::common::frame::frame;
-import package::format::sample::voxel_sample;
+import package::format::sample::{VOXEL_ONE_SIDED, voxel_sample};
 
 // RAU's tangent spheres: each sample's sphere touches the one before it (RAU eq. of §6.1, r = d·sin(θ/2)).
 const STEPPER_SPHERES = 1u;
 // RAU §6.1.2 and figure B.5: distance and cell double from sample to sample; made for 60°.
 const STEPPER_DOUBLING = 2u;
+const COS_30 = 0.8660254;
 
 struct ConeSettings {
     stepper: u32,
@@ -55,13 +56,35 @@ fn surface_cone(p_voxel: vec3f, normal: vec3f, direction: vec3f, sine: f32, reac
     return Cone(p_voxel + normal * (lift * start), direction, sine, 0.0, reach - lift * start, start, growth, 1.0);
 }
 
-// The level whose cells are about as wide as the cone, given the distance of its near side, but no wider than the
-// way back to the surface left or on to the end. Whole levels: a mix of two would reach as far as the coarser.
-fn cone_level(cone: Cone, t: f32, step: f32) -> f32 {
-    let width = 2.0 * cone.sine * t / max(1.0 - step * cone.sine, 0.1);
-    let clearance = min(cone.clearance + cone.clearance_growth * t, cone.end_growth * (cone.reach - t));
-    let level = floor(min(log2(max(width, 1.0)) + 0.5, log2(max(clearance, 1.0))));
-    return min(level, f32(frame.level_count - 1));
+// The widest level, whole, whose linear filter neither reaches back to the surface left nor on to the end.
+fn clear_level(cone: Cone, t: f32) -> f32 {
+    var clearance = cone.end_growth * (cone.reach - t);
+    if (!VOXEL_ONE_SIDED) {
+        clearance = min(clearance, cone.clearance + cone.clearance_growth * t);
+    }
+    return floor(min(log2(max(clearance, 1.0)), f32(frame.level_count - 1)));
+}
+
+// A sample of a cone: where, on which level, and for how much of the axis it stands.
+struct ConeStep {
+    at: f32,
+    level: f32,
+    length: f32,
+    next: f32,
+}
+
+fn cone_step(cone: Cone, settings: ConeSettings, t: f32) -> ConeStep {
+    let clear = clear_level(cone, t);
+    let doubling = floor(log2(max(t, 1.0)) + 0.5);
+    if (settings.stepper == STEPPER_DOUBLING && doubling <= clear) {
+        // As wide as a cone of 60° is there: the cell is 2·t·tan 30°.
+        let cell = exp2(doubling);
+        return ConeStep(cell * COS_30, doubling, cell, 2.0 * cell);
+    }
+    let width = 2.0 * cone.sine * t / max(1.0 - settings.step * cone.sine, 0.1);
+    let level = min(floor(log2(max(width, 1.0)) + 0.5), clear);
+    let length = min(settings.step * exp2(level), max(cone.reach - t, 0.01));
+    return ConeStep(t + 0.5 * length, level, length, t + length);
 }
 
 // Opacity through `length` of cells that have opacity `alpha` over `cell`: α' = 1 − (1 − α)^(length/cell).
@@ -72,31 +95,27 @@ fn opacity_over(alpha: f32, ratio: f32) -> f32 {
 // Premultiplied radiance, and Σ T·α·f with f = 1/(1 + falloff·t): the opacity where falloff is 0.
 fn cone_trace(cone: Cone, settings: ConeSettings, falloff: f32) -> vec4f {
     let grid = vec3f(frame.grid_size);
-    let doubling = settings.stepper == STEPPER_DOUBLING;
     var gathered = vec4f(0.0);
     var transmittance = 1.0;
-    var t = select(cone.start, max(cone.start, 1.0), doubling);
+    var t = cone.start;
     for (var i = 0; i < 512 && t < cone.reach && transmittance > 0.004; i++) {
-        var level = log2(max(t, 1.0));
-        var length = t;
-        var at = t;
-        if (!doubling) {
-            level = cone_level(cone, t, settings.step);
-            length = min(settings.step * exp2(level), max(cone.reach - t, 0.01));
-            at = t + 0.5 * length;
-        }
-        let p = cone.origin + at * cone.direction;
-        if (any(p < vec3f(0.0)) || any(p > grid)) {
+        let s = cone_step(cone, settings, t);
+        let p = cone.origin + s.at * cone.direction;
+        let cell = exp2(s.level);
+        // Beyond the outermost cells' centres the sampler repeats them: fade them out as empty neighbours would.
+        let beyond = max(abs(p - 0.5 * grid) - 0.5 * (grid - cell), vec3f(0.0)) / cell;
+        let fade = max(1.0 - beyond, vec3f(0.0));
+        let inside_grid = fade.x * fade.y * fade.z;
+        if (inside_grid <= 0.0) {
             break;
         }
-        let value = voxel_sample(p / grid, level, cone.direction);
+        let value = voxel_sample(p / grid, s.level, cone.direction) * inside_grid;
         if (value.a > 0.0) {
-            let alpha = opacity_over(value.a, length / exp2(level));
-            let weight = transmittance * alpha;
-            gathered += vec4f(value.rgb * (weight / value.a), weight / (1.0 + falloff * at));
-            transmittance *= 1.0 - alpha;
+            let weight = min(transmittance, value.a * s.length / cell);
+            gathered += vec4f(value.rgb * (weight / value.a), weight / (1.0 + falloff * s.at));
+            transmittance -= weight;
         }
-        t += length;
+        t = s.next;
     }
     return gathered;
 }

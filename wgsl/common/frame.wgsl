@@ -19,13 +19,12 @@ struct Frame {
     texture_size: u32,
     // Radiance from outside the scene, W·m⁻²·sr⁻¹.
     sky: vec3f,
-    // Fixed-point units per 1.0 of an unsigned attribute; chosen so that no sum can overflow.
+    // Fixed-point units per 1.0 of an attribute; chosen so that no sum can overflow.
     attribute_scale: f32,
     screen: vec2u,
-    // Likewise for the signed normal.
-    normal_scale: f32,
     // Emission that counts as 1.0, W·m⁻²·sr⁻¹.
     emission_max: f32,
+    padding: f32,
     // First word of each level in the occupancy bitmask, four levels a vector.
     level_words: array<vec4u, 4>,
 }

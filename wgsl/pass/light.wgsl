@@ -78,6 +78,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var arriving = vec3f(0.0);
     if (any(surface.normal != vec3f(0.0))) {
         arriving = irradiance(p_voxel, surface.normal);
+        if (surface.double_sided > 0.0) {
+            // One value stands for both sides: what arrives at either.
+            arriving += surface.double_sided * irradiance(p_voxel, -surface.normal);
+        }
     } else {
         // Opposite surfaces share the voxel: each axis direction stands for a sixth of them.
         for (var axis = 0; axis < 3; axis++) {

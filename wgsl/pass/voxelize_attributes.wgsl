@@ -15,14 +15,13 @@ import package::common::dispatch::dispatch_index;
 
 @group(1) @binding(4) var<storage, read_write> attributes: array<atomic<u32>>;
 
-override ATTRIBUTE_STRIDE: u32 = 10;
+override ATTRIBUTE_STRIDE: u32 = 14;
 
-fn add_vector(first: u32, value: vec3f, scale: f32) {
-    // Two's complement: signed values sum right in unsigned words.
-    let units = vec3i(round(value * scale));
-    atomicAdd(&attributes[first], u32(units.x));
-    atomicAdd(&attributes[first + 1], u32(units.y));
-    atomicAdd(&attributes[first + 2], u32(units.z));
+fn add_vector(first: u32, value: vec3f) {
+    let units = vec3u(round(value * frame.attribute_scale));
+    atomicAdd(&attributes[first], units.x);
+    atomicAdd(&attributes[first + 1], units.y);
+    atomicAdd(&attributes[first + 2], units.z);
 }
 
 fn add_fragment(triangle: u32, v: array<vec3f, 3>, weight: f32, cell: vec3u) {
@@ -41,13 +40,19 @@ fn add_fragment(triangle: u32, v: array<vec3f, 3>, weight: f32, cell: vec3u) {
         + f.weights.y * unpack_normal(vertices[i.y].normal)
         + f.weights.z * unpack_normal(vertices[i.z].normal);
     let metallic = roughness_metallic(material, f.uv, f.lod).y;
+    let n = normalize(normal + vec3f(0.0, 1e-20, 0.0)) * weight;
     let first = voxel_slot(cell) * ATTRIBUTE_STRIDE;
-    atomicAdd(&attributes[first], u32(round(weight * frame.attribute_scale)));
-    add_vector(first + 1, clamp(total_reflectance(color.rgb, metallic), vec3f(0.0), vec3f(1.0)) * weight, frame.attribute_scale);
-    add_vector(first + 4, normalize(normal + vec3f(0.0, 1e-20, 0.0)) * weight, frame.normal_scale);
+    let units = u32(round(weight * frame.attribute_scale));
+    atomicAdd(&attributes[first], units);
+    if (material.double_sided != 0) {
+        atomicAdd(&attributes[first + 1], units);
+    }
+    add_vector(first + 2, clamp(total_reflectance(color.rgb, metallic), vec3f(0.0), vec3f(1.0)) * weight);
+    add_vector(first + 5, max(n, vec3f(0.0)));
+    add_vector(first + 8, max(-n, vec3f(0.0)));
     if (HAS_EMISSION) {
         let relative = emission(material, f.uv, f.lod) / frame.emission_max;
-        add_vector(first + 7, clamp(relative, vec3f(0.0), vec3f(1.0)) * weight, frame.attribute_scale);
+        add_vector(first + 11, clamp(relative, vec3f(0.0), vec3f(1.0)) * weight);
     }
 }
 

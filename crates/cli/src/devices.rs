@@ -18,14 +18,14 @@ pub fn run(_: &Args) -> Result<(), Failure> {
     if devices.is_empty() {
         return Err(Error::NoAdapter.into());
     }
-    let mut table = Table::new(["name", "type", "backend", "timestamps", "driver"]);
+    let mut table = Table::new(["name", "type", "backend", "pass times by", "driver"]);
     for info in &devices {
-        let timestamps = match Gpu::open(Some(&info.name)) {
-            Ok(gpu) if gpu.has_timestamps() => "yes".to_owned(),
-            Ok(_) => "no".to_owned(),
+        let clock = match Gpu::open(Some(&info.name)) {
+            Ok(gpu) if gpu.has_reliable_timestamps() => "its timestamps".to_owned(),
+            Ok(_) => "the host's clock".to_owned(),
             Err(error) => error.to_string(),
         };
-        table.row([info.name.clone(), kind(info).into(), info.backend.to_string(), timestamps, driver(info)]);
+        table.row([info.name.clone(), kind(info).into(), info.backend.to_string(), clock, driver(info)]);
     }
     crate::print(&table.to_string())
 }

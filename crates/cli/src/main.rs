@@ -49,6 +49,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    quieten_vulkan();
     let program = Program::parse();
     let filter = EnvFilter::builder().with_default_directive(LevelFilter::WARN.into()).from_env_lossy();
     let colour = std::io::stderr().is_terminal();
@@ -66,6 +67,18 @@ fn main() -> ExitCode {
             // Nobody is left to tell where stderr is closed.
             let _ = writeln!(std::io::stderr(), "{failure}");
             failure.exit_code()
+        }
+    }
+}
+
+/// Without a desktop session, Mesa's device-select layer, which nobody needs then, has libwayland complain on stderr
+/// each time that devices are asked for.
+fn quieten_vulkan() {
+    if cfg!(target_os = "linux") && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
+        // SAFETY: no other thread exists yet.
+        #[expect(unsafe_code, reason = "the layer is told by the environment only")]
+        unsafe {
+            std::env::set_var("NODEVICE_SELECT", "1");
         }
     }
 }

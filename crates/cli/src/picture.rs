@@ -8,7 +8,7 @@ use image::{ImageFormat, RgbImage};
 use voxlume::{Fault, Picture, one_of};
 
 use crate::failure::Failure;
-use crate::tone::{khronos_pbr_neutral, srgb};
+use crate::tone::{reinhard, srgb};
 
 /// A kind of picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +68,7 @@ fn visible(name: &str, [r, g, b, _]: [f32; 4], scale: f32) -> [u8; 3] {
         "normal" | "geometry" => color.map(|c| c * 0.5 + 0.5),
         "ao" | "shadow" | "depth" => color,
         "albedo" => color.map(|c| srgb(c.clamp(0.0, 1.0))),
-        _ => khronos_pbr_neutral(color.map(|c| c * scale)).map(srgb),
+        _ => reinhard(color.map(|c| c * scale)).map(srgb),
     };
     // A conversion to an integer saturates, and makes 0 of NaN.
     shown.map(|c| (c * 255.0).round() as u8)
@@ -77,6 +77,8 @@ fn visible(name: &str, [r, g, b, _]: [f32; 4], scale: f32) -> [u8; 3] {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
+    use exr::prelude::{ReadChannels, ReadLayers};
+
     use super::*;
 
     #[test]

@@ -15,10 +15,10 @@ use crate::timing::{Device, Frames, Report, Resource};
 
 /// Render a scene to PNG and EXR, and tell what it cost
 ///
-/// A PNG is for the eye: images of light are multiplied by 2^EV (--exposure), tone-mapped by the Khronos PBR
-/// Neutral curve and sRGB-encoded; albedo is only sRGB-encoded; normal and geometry are shown as n/2 + 1/2; ao,
-/// shadow and depth are clamped to [0, 1]. An EXR has the linear values as computed, in 32-bit float, with alpha
-/// as the pass left it (final: 1 on surfaces, 0 in the sky; shadow: the fourth light).
+/// A PNG is for the eye: images of light are multiplied by 2^EV (--exposure), tone-mapped (Reinhard et al. 2002, eq. 4,
+/// on luminance, white at 4) and sRGB-encoded; albedo is only sRGB-encoded; normal and geometry are shown as
+/// n/2 + 1/2; ao, shadow and depth are clamped to [0, 1]. An EXR has the linear values as computed, in 32-bit float,
+/// with alpha as the pass left it (final: 1 on surfaces, 0 in the sky; shadow: the fourth light).
 ///
 /// Every timed frame runs all passes, also those, such as voxelize, that a still scene needs only once.
 #[derive(clap::Args)]

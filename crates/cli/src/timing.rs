@@ -119,7 +119,7 @@ impl Report {
         let (format, encoding, n, occupied) = (&self.format, &self.encoding, self.resolution, self.occupied_voxels);
         let clock = match self.passes.first().map(|pass| pass.clock) {
             Some("gpu") => "the device's timestamps",
-            _ => "the host's clock, as the device has no timestamps",
+            _ => "the host's clock, as the device has no timestamps to rely on",
         };
         let mut passes = Table::new(["pass", "median ms", "spread ms"]).numbers_from(1);
         let mut time = |name: &str, (median, spread): (f64, f64)| {
@@ -141,8 +141,8 @@ impl Report {
             count => format!("{count} frames (spread: interquartile range)"),
         };
         format!(
-            "device: {name} ({kind}), driver {driver}\n\
-             {}: {format} {encoding}, {n} × {n} × {n} voxels, {occupied} occupied\n\n\
+            "{name} · {kind} · {driver}\n\
+             {} · {format} {encoding} · {n} × {n} × {n} voxels, {occupied} occupied\n\n\
              times of {count} after one of warm-up, by {clock}\n{passes}\n{resources}",
             self.scene
         )

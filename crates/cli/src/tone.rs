@@ -1,25 +1,17 @@
 //! From linear radiance to what a screen shows.
 
-/// The Khronos PBR Neutral tone mapper (Khronos Group, specification of May 2024): colours below 0.8 keep their
-/// hue and, but for 0.04 of Fresnel reflection, their value; what is brighter is compressed and desaturated.
-/// Takes linear RGB of Rec. 709, at least 0; gives values in [0, 1].
-pub fn khronos_pbr_neutral(color: [f32; 3]) -> [f32; 3] {
-    const FRESNEL: f32 = 0.04;
-    const START: f32 = 0.8 - FRESNEL;
-    const DESATURATION: f32 = 0.15;
-    // A NaN becomes 0; infinity, and all that f16 can't hold, its largest value.
+/// Luminance that becomes 1.
+const WHITE: f32 = 4.0;
+
+/// Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002, eq. 4, on luminance with a white
+/// point of 4: dark colours stay as they are, bright ones are compressed, hues keep until a channel leaves
+/// the screen's range. Takes linear RGB of Rec. 709, gives values in [0, 1].
+pub fn reinhard(color: [f32; 3]) -> [f32; 3] {
+    // A NaN becomes 0; infinity, the most that images of half floats hold.
     let color = color.map(|c| c.max(0.0).min(65504.0));
-    let least = color[0].min(color[1]).min(color[2]);
-    let offset = if least < 2.0 * FRESNEL { least - least * least / (4.0 * FRESNEL) } else { FRESNEL };
-    let color = color.map(|c| c - offset);
-    let peak = color[0].max(color[1]).max(color[2]);
-    if peak < START {
-        return color;
-    }
-    let room = 1.0 - START;
-    let compressed = 1.0 - room * room / (peak + room - START);
-    let grey = 1.0 - 1.0 / (DESATURATION * (peak - compressed) + 1.0);
-    color.map(|c| c * compressed / peak * (1.0 - grey) + compressed * grey)
+    let luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    let scale = (1.0 + luminance / (WHITE * WHITE)) / (1.0 + luminance);
+    color.map(|c| (c * scale).min(1.0))
 }
 
 /// The sRGB transfer function (IEC 61966-2-1), for values in [0, 1].
@@ -36,21 +28,20 @@ mod tests {
     }
 
     #[test]
-    fn values_of_the_specification() {
-        close(khronos_pbr_neutral([0.0; 3]), [0.0; 3]);
-        // Below 0.08 the least channel becomes 6.25 x².
-        close(khronos_pbr_neutral([0.04; 3]), [0.01; 3]);
-        close(khronos_pbr_neutral([0.5, 0.3, 0.2]), [0.46, 0.26, 0.16]);
-        // Where compression begins: 0.8 gives 0.76.
-        close(khronos_pbr_neutral([0.8; 3]), [0.76; 3]);
-        // 1 - 0.24² / (3.96 + 0.24 - 0.76)
-        close(khronos_pbr_neutral([4.0; 3]), [0.983_255_8; 3]);
+    fn values_on_paper() {
+        close(reinhard([0.0; 3]), [0.0; 3]);
+        close(reinhard([0.001; 3]), [0.000_999; 3]);
+        // 1 · (1 + 1/16) / 2
+        close(reinhard([1.0; 3]), [0.531_25; 3]);
+        close(reinhard([4.0; 3]), [1.0; 3]);
+        // The ratio of channels stays: luminance 0.2126, so (1 + 0.2126/16) / 1.2126.
+        close(reinhard([1.0, 0.0, 0.0]), [0.835_632, 0.0, 0.0]);
     }
 
     #[test]
     fn nothing_leaves_the_range() {
         for value in [f32::NAN, f32::INFINITY, -1.0, 1e30, 65504.0, 1.0] {
-            let mapped = khronos_pbr_neutral([value, 0.1, 3.0]);
+            let mapped = reinhard([value, 0.1, 3.0]);
             assert!(mapped.iter().all(|c| (0.0..=1.0).contains(c)), "{value}: {mapped:?}");
         }
     }

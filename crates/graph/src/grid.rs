@@ -59,22 +59,10 @@ impl Grid {
     }
 }
 
-/// Fixed-point units per 1.0 such that `triangles` contributions, each at most 1.0, never overflow.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FixedPoint {
-    /// For unsigned sums.
-    pub unsigned: f32,
-    /// For signed sums.
-    pub signed: f32,
-}
-
-impl FixedPoint {
-    /// A contribution of 1.0 rounds to exactly this many units, as they are integers below 2²⁴.
-    pub fn for_triangles(triangles: u32) -> FixedPoint {
-        let count = triangles.max(1);
-        let units = |most: u32| (most / count).min(1 << 20) as f32;
-        FixedPoint { unsigned: units(u32::MAX), signed: units(i32::MAX as u32) }
-    }
+/// Fixed-point units per 1.0 such that the sum of one contribution of each of `triangles`, each at most 1.0, never
+/// overflows 32 bits. At most 2²⁰, so that a contribution rounds to exactly these units in `f32`.
+pub fn fixed_point_scale(triangles: u32) -> f32 {
+    (u32::MAX / triangles.max(1)).min(1 << 20) as f32
 }
 
 #[cfg(test)]
@@ -84,11 +72,11 @@ mod tests {
     #[test]
     fn no_sum_of_contributions_overflows() {
         for triangles in [0, 1, 2, 46, 262_267, 1_000_000, 7_000_000, 100_000_000] {
-            let scale = FixedPoint::for_triangles(triangles);
-            let count = u64::from(triangles.max(1));
-            assert!(count * scale.unsigned as u64 <= u64::from(u32::MAX), "{triangles}");
-            assert!(count * scale.signed as u64 <= i32::MAX as u64, "{triangles}");
-            assert!(scale.signed >= 1.0);
+            let scale = fixed_point_scale(triangles);
+            // What the shader adds for 1.0, as its f32 arithmetic gives it.
+            let most = u64::from(scale as u32);
+            assert!(u64::from(triangles.max(1)) * most <= u64::from(u32::MAX), "{triangles}");
+            assert!(most >= 42);
         }
     }
 

@@ -7,8 +7,8 @@ use crate::Camera;
 impl Camera {
     /// A camera at `eye` that sees `target` in the middle of its picture, `up` upwards.
     ///
-    /// `vertical_fov` is in radians, in (0, π). `None` if there is no such view: `eye` is at `target`, `up` is along the line between
-    /// them, or a number is not finite.
+    /// `vertical_fov` is in radians, in (0, π). `None` if there is no such view: `eye` is at `target`, `up`
+    /// is along the line between them, or a number is not finite.
     pub fn look_at(
         name: impl Into<String>,
         eye: DVec3,

@@ -7,11 +7,11 @@ use glam::{DVec3, Vec3};
 use crate::{EmissivePolygon, Instance, Mesh, Scene};
 
 impl Scene {
-    /// The triangles whose materials emit, relative to `origin`; two that lie in a plane, share an edge and make a convex
-    /// quadrilateral are one polygon. Triangles without area are left out.
+    /// The triangles whose materials emit, relative to `origin`; two that lie in a plane, share an edge and
+    /// make a convex quadrilateral are one polygon. Triangles without area are left out.
     ///
-    /// `None` if there are more than `limit` polygons, or if a material's emission varies over it by a texture or
-    /// an alpha mask: then emission is better gathered from voxels.
+    /// `None` if there are more than `limit` polygons, or if a material's emission varies over it by a
+    /// texture or an alpha mask: then emission is better gathered from voxels.
     pub fn emissive_polygons(&self, origin: DVec3, limit: usize) -> Option<Vec<EmissivePolygon>> {
         let mut polygons = Vec::new();
         for instance in &self.instances {

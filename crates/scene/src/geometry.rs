@@ -7,9 +7,9 @@ use crate::{Geometry, Instance, Mesh, Scene, vertex};
 impl Geometry {
     /// Flattens a scene's instances, in their order.
     ///
-    /// Positions are transformed in `f64` and rounded once, after `origin` is taken off; an origin near the scene's centre keeps
-    /// them sharp. Normals go by the cofactor matrix, which is the inverse transpose where there is one and still right
-    /// where an instance is flattened by a zero scale.
+    /// Positions are transformed in `f64` and rounded once, after `origin` is taken off; an origin near the
+    /// scene's centre keeps them sharp. Normals go by the cofactor matrix, which is the inverse transpose
+    /// where there is one and still right where an instance is flattened by a zero scale.
     pub fn new(scene: &Scene, origin: DVec3) -> Geometry {
         let mut geometry = Geometry { origin, ..Geometry::default() };
         for instance in &scene.instances {

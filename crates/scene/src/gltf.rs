@@ -2,31 +2,32 @@
 //!
 //! # What is read
 //! - The file's scene (its default, else its first, else every node without a parent), with node transforms
-//!   accumulated in `f64`, mirrored and non-uniform ones included. The JSON's own numbers are `f32`, as glTF says.
-//! - Triangles, strips and fans, indexed or not; sparse accessors; normalised and, as `KHR_mesh_quantization` allows,
-//!   plain integers. Points and lines are skipped: they have no surface.
-//! - Missing normals are flat, as the specification says; missing tangents are MikkTSpace's where there is a normal map
-//!   (the crate `bevy_mikktspace`), any elsewhere.
-//! - Metallic-roughness materials with base-colour, metallic-roughness, normal and emissive textures (PNG, JPEG),
-//!   `KHR_materials_emissive_strength`, `doubleSided`, and `KHR_texture_transform` where all of a material's textures
-//!   agree in it and in their `texCoord`: it is applied to the mesh's coordinates.
+//!   accumulated in `f64`, mirrored and non-uniform ones included. The JSON's own numbers are `f32`, as glTF
+//!   says.
+//! - Triangles, strips and fans, indexed or not; sparse accessors; normalised and, as `KHR_mesh_quantization`
+//!   allows, plain integers. Points and lines are skipped: they have no surface.
+//! - Missing normals are flat, as the specification says; missing tangents are MikkTSpace's where there is a
+//!   normal map (the crate `bevy_mikktspace`), any elsewhere.
+//! - Metallic-roughness materials with base-colour, metallic-roughness, normal and emissive textures (PNG,
+//!   JPEG), `KHR_materials_emissive_strength`, `doubleSided`, and `KHR_texture_transform` where all of a
+//!   material's textures agree in it and in their `texCoord`: it is applied to the mesh's coordinates.
 //! - `MASK`, dropped where no texel can fail it. `BLEND` is taken as a mask at 0.5: what is more transparent
 //!   than not is a hole, for nothing here blends surfaces.
-//! - `KHR_lights_punctual`: lux is taken as irradiance (W·m⁻²) and candela as radiant intensity (W·sr⁻¹), without the factor
-//!   683 lm/W; `range` is ignored, for it is a hint for culling and light doesn't end.
+//! - `KHR_lights_punctual`: lux is taken as irradiance (W·m⁻²) and candela as radiant intensity (W·sr⁻¹),
+//!   without the factor 683 lm/W; `range` is ignored, for it is a hint for culling and light doesn't end.
 //! - Perspective cameras. Orthographic ones are skipped: every pass here traces from one point.
 //!
 //! # What is left out
-//! Animations, skins and morph targets (meshes stand as stored), vertex colours, samplers (textures repeat and are
-//! filtered linearly), occlusion textures (occlusion is what is computed here), and materials' other extensions unless the file
-//! requires them, which is a fault.
+//! Animations, skins and morph targets (meshes stand as stored), vertex colours, samplers (textures repeat
+//! and are filtered linearly), occlusion textures (occlusion is what is computed here), and materials' other
+//! extensions unless the file requires them, which is a fault.
 //!
 //! # Where files may be
 //! A URI is `data:` with base64 or a relative path that stays in the glTF file's folder, links followed.
 //!
-//! # Light
-//! A file without any light, emission or camera is usually a lone model: it gets a sky of radiance
-//! [`DEFAULT_SKY`], so that a picture of it isn't black, and a camera that frames it.
+//! # Lone models
+//! A file without any light or emission gets a sky of radiance [`DEFAULT_SKY`], so that a picture of it isn't
+//! black; one without a perspective camera gets one that frames it. RON scenes get the camera, not the sky.
 
 mod accessor;
 mod document;

@@ -15,9 +15,10 @@ impl Scene {
     /// Reads a scene from a `.ron`, `.gltf` or `.glb` file.
     ///
     /// # Errors
-    /// Every fault of the file: it is missing, truncated or of another kind; it names a file that is; a number is
-    /// not finite or out of its range; an index is out of range; it would take more than [`MEMORY_LIMIT`](crate::MEMORY_LIMIT)
-    /// or reach beyond [`WORLD_LIMIT`]. [`crate::ron`] and [`crate::gltf`] say what is read.
+    /// Every fault of the file: it is missing, truncated or of another kind; it names a file that is; a
+    /// number is not finite or out of its range; an index is out of range; it would take more than
+    /// [`MEMORY_LIMIT`](crate::MEMORY_LIMIT) or reach beyond [`WORLD_LIMIT`]. [`crate::ron`] and
+    /// [`crate::gltf`] say what is read.
     pub fn load(path: &Path) -> Result<Scene, Faults> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let mut scene = match extension.as_str() {

@@ -2,8 +2,9 @@
 //!
 #![doc = concat!("```ron\n", include_str!("ron/example.ron"), "```")]
 //!
-//! Every field is optional unless it is called needed. Lengths are in world units, angles in degrees where the name
-//! ends in `_deg`. A colour is `(r, g, b)` or one number for all three, linear. Numbers must be finite.
+//! Every field is optional unless it is called needed. Lengths are in world units, angles in degrees where
+//! the name ends in `_deg`. A colour is `(r, g, b)` or one number for all three, linear. Numbers must be
+//! finite.
 //!
 //! # `materials`, by name
 //! | field | default | meaning |
@@ -16,8 +17,9 @@
 //! | `double_sided` | false | else the camera looks through the back |
 //!
 //! # `objects`
-//! Each has either a `shape` with its `material` (needed), or `gltf`, a path relative to the RON file (`..` is allowed), from which
-//! meshes, materials and node transforms are taken, but neither lights nor cameras; `material` then replaces all of its materials.
+//! Each has either a `shape` with its `material` (needed), or `gltf`, a path relative to the RON file (`..`
+//! is allowed), from which meshes, materials and node transforms are taken, but neither lights nor cameras;
+//! `material` then replaces all of its materials.
 //!
 //! | field | default | meaning |
 //! |---|---|---|
@@ -55,8 +57,8 @@
 //! Radiance from everywhere outside, W·m⁻²·sr⁻¹; 0 if it is not given.
 //!
 //! # `cameras`
-//! `eye`, `target` and `fov_deg` (vertical, full angle) are needed; `up` is (0, 1, 0); `name` is `camera N`. Without a camera
-//! the scene gets one that frames it.
+//! `eye`, `target` and `fov_deg` (vertical, full angle) are needed; `up` is (0, 1, 0); `name` is `camera N`.
+//! Without a camera the scene gets one that frames it.
 
 mod camera;
 mod light;

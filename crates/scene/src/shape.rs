@@ -22,7 +22,8 @@ impl Builder {
         self.0.triangles.extend([[a, b, c], [a, c, d]]);
     }
 
-    /// A row per `v`, a column per `u`, from a function of (u, v) in [0,1]² whose v goes to the left of its u.
+    /// A row per `v`, a column per `u`, from a function of (u, v) in [0,1]² whose v goes to the left of its
+    /// u.
     fn sheet(&mut self, [columns, rows]: [u32; 2], point: impl Fn(f64, f64) -> (DVec3, DVec3)) {
         let first = self.0.positions.len() as u32;
         for row in 0..=rows {

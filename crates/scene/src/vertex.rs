@@ -12,7 +12,8 @@ pub(crate) fn area_normal([a, b, c]: [Vec3; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// Makes normals unit. One without a length becomes the mean of its triangles' normals by area, +y if they have none.
+/// Makes normals unit. One without a length becomes the mean of its triangles' normals by area, +y if they
+/// have none.
 pub(crate) fn unit_normals(positions: &[Vec3], triangles: &[[u32; 3]], normals: &mut [Vec3]) {
     let mut lost: HashMap<u32, DVec3> = HashMap::new();
     for (i, normal) in (0..).zip(normals.iter_mut()) {

@@ -2,6 +2,10 @@
 
 import package::common::volume_sampler::volume_sampler;
 
+// Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
+// that it leaves.
+const VOXEL_ONE_SIDED = false;
+
 @group(2) @binding(1) var base: texture_3d<f32>;
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {

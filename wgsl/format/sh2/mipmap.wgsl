@@ -1,29 +1,28 @@
-// SH mipmapping, `linear`: the mean of the children's premultiplied coefficients, exact for both bands. Opacities
-// along the axes composite as the six faces' do, so that a thin wall stays opaque. Level 1 makes coefficients
-// of level 0: each voxel emits from the side of its normal, or all around without one.
+// SH mipmapping, `linear`: the mean of the children's coefficients, exact for both bands. Opacities composite as the
+// six faces' do, so that a thin wall stays opaque. Level 1 makes coefficients of level 0: each voxel emits from
+// the side of its normal, or to both sides without one.
 
 import package::common::attributes::voxel_surface;
 import package::common::coverage::composite_coverage;
 import package::common::voxels::{is_occupied, voxel_slot};
-import package::format::basis::{COEFFICIENTS, SH0, LOBE0, LOBE1};
+import package::format::basis::{COEFFICIENTS, LOBE0, LOBE1, SixOpacities, decode_opacity, encode_opacity, mean_opacity};
 
 @group(2) @binding(1) var base_source: texture_3d<f32>;
 @group(2) @binding(2) var harmonics_source: texture_3d<f32>;
 @group(2) @binding(9) var harmonics_target: texture_storage_3d<rgba16float, write>;
 
-// Radiance coefficients; alpha as in `basis`.
 fn child_of_base(cell: vec3u) -> array<vec4f, 4> {
+    var c = array<vec4f, 4>();
     let value = textureLoad(base_source, cell, 0);
-    var c = array(vec4f(value.rgb / SH0, value.a), vec4f(vec3f(0.0), value.a), vec4f(vec3f(0.0), value.a), vec4f(vec3f(0.0), value.a));
     if (value.a <= 0.0 || !is_occupied(cell, 0)) {
         return c;
     }
-    let normal = voxel_surface(voxel_slot(cell)).normal;
-    if (any(normal != vec3f(0.0))) {
-        c[0] = vec4f(value.rgb * LOBE0, value.a);
-        for (var axis = 0; axis < 3; axis++) {
-            c[axis + 1] = vec4f(value.rgb * LOBE1 * normal[axis], value.a);
-        }
+    let surface = voxel_surface(voxel_slot(cell));
+    let alpha = encode_opacity(SixOpacities(surface.front, surface.back));
+    let radiance = value.rgb * mean_opacity(alpha);
+    c[0] = vec4f(radiance * LOBE0, alpha.x);
+    for (var axis = 0; axis < 3; axis++) {
+        c[axis + 1] = vec4f(radiance * LOBE1 * surface.normal[axis], alpha[axis + 1]);
     }
     return c;
 }
@@ -38,8 +37,10 @@ fn child_of_harmonics(cell: vec3u) -> array<vec4f, 4> {
 }
 
 fn voxel_mipmap(cell: vec3u, level: u32) {
-    var sum: array<vec4f, 4>;
-    var opacity: array<vec3f, 8>;
+    var sum: array<vec3f, 4>;
+    var weight = 0.0;
+    var positive: array<vec3f, 8>;
+    var negative: array<vec3f, 8>;
     for (var i = 0u; i < 8; i++) {
         let child = cell * 2 + vec3u(i & 1, (i >> 1) & 1, i >> 2);
         var c: array<vec4f, 4>;
@@ -49,14 +50,18 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
             c = child_of_harmonics(child);
         }
         for (var k = 0u; k < COEFFICIENTS; k++) {
-            sum[k] += c[k] / 8.0;
+            sum[k] += c[k].rgb;
         }
-        opacity[i] = vec3f(c[1].a, c[2].a, c[3].a);
+        let alpha = vec4f(c[0].a, c[1].a, c[2].a, c[3].a);
+        weight += mean_opacity(alpha);
+        let six = decode_opacity(alpha);
+        positive[i] = six.positive;
+        negative[i] = six.negative;
     }
-    let coverage = composite_coverage(opacity);
+    let alpha = encode_opacity(SixOpacities(composite_coverage(positive), composite_coverage(negative)));
+    let scale = mean_opacity(alpha) / max(weight, 1e-6);
     let depth = textureDimensions(harmonics_target).z / COEFFICIENTS;
-    let alpha = vec4f(sum[0].a, coverage);
     for (var k = 0u; k < COEFFICIENTS; k++) {
-        textureStore(harmonics_target, cell + vec3u(0, 0, k * depth), vec4f(sum[k].rgb, alpha[k]));
+        textureStore(harmonics_target, cell + vec3u(0, 0, k * depth), vec4f(sum[k] * scale, alpha[k]));
     }
 }

@@ -1,6 +1,9 @@
 // Six-face mipmapping: along each axis the child nearer to the observer composites over the farther, then
-// the four columns average (RAU §5.3.2, DVS §3).
+// the four columns average (RAU §5.3.2, DVS §3). Level 1 parts level 0 by the voxels' normals: a surface covers,
+// and shows its light, at its front.
 
+import package::common::attributes::voxel_surface;
+import package::common::voxels::{is_occupied, voxel_slot};
 import package::format::faces::{FACES, face_of};
 
 // Level 0, where it is the level below; else the faces of the level below.
@@ -8,12 +11,17 @@ import package::format::faces::{FACES, face_of};
 @group(2) @binding(2) var faces_source: texture_3d<f32>;
 @group(2) @binding(9) var faces_target: texture_storage_3d<rgba16float, write>;
 
-fn child(cell: vec3u, level: u32, face: u32) -> vec4f {
-    if (level == 1) {
-        return textureLoad(base_source, cell, 0);
+fn child(cell: vec3u, level: u32, axis: u32, side: u32) -> vec4f {
+    if (level > 1) {
+        let depth = textureDimensions(faces_source).z / FACES;
+        return textureLoad(faces_source, cell + vec3u(0, 0, face_of(axis, side == 1) * depth), 0);
     }
-    let depth = textureDimensions(faces_source).z / FACES;
-    return textureLoad(faces_source, cell + vec3u(0, 0, face * depth), 0);
+    let value = textureLoad(base_source, cell, 0);
+    if (value.a <= 0.0 || !is_occupied(cell, 0)) {
+        return vec4f(0.0);
+    }
+    let surface = voxel_surface(voxel_slot(cell));
+    return value * select(surface.front, surface.back, vec3<bool>(side == 1))[axis];
 }
 
 fn voxel_mipmap(cell: vec3u, level: u32) {
@@ -24,15 +32,14 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
         let u = vec3u(along.z, along.x, along.y);
         let v = vec3u(along.y, along.z, along.x);
         for (var side = 0u; side < 2; side++) {
-            let face = face_of(axis, side == 1);
             var sum = vec4f(0.0);
             for (var column = 0u; column < 4; column++) {
                 let low = cell * 2 + u * (column & 1) + v * (column >> 1);
-                let near = child(low + along * (1 - side), level, face);
-                let far = child(low + along * side, level, face);
+                let near = child(low + along * (1 - side), level, axis, side);
+                let far = child(low + along * side, level, axis, side);
                 sum += near + (1.0 - near.a) * far;
             }
-            textureStore(faces_target, cell + vec3u(0, 0, face * depth), sum / 4.0);
+            textureStore(faces_target, cell + vec3u(0, 0, face_of(axis, side == 1) * depth), sum / 4.0);
         }
     }
 }

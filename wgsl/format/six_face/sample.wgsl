@@ -4,6 +4,10 @@
 import package::common::volume_sampler::volume_sampler;
 import package::format::faces::{FACES, face_of};
 
+// Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
+// that it leaves.
+const VOXEL_ONE_SIDED = true;
+
 @group(2) @binding(1) var base: texture_3d<f32>;
 @group(2) @binding(2) var faces: texture_3d<f32>;
 
@@ -17,10 +21,11 @@ fn sample_face(face: u32, uvw: vec3f, level: f32, half_texel: f32) -> vec4f {
 fn sample_faces(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     let depth = f32(textureDimensions(faces).x >> u32(ceil(level)));
     let half_texel = 0.5 / max(depth, 1.0);
-    let weight = direction * direction;
-    return weight.x * sample_face(face_of(0, direction.x > 0.0), uvw, level, half_texel)
-        + weight.y * sample_face(face_of(1, direction.y > 0.0), uvw, level, half_texel)
-        + weight.z * sample_face(face_of(2, direction.z > 0.0), uvw, level, half_texel);
+    let x = sample_face(face_of(0, direction.x > 0.0), uvw, level, half_texel);
+    let y = sample_face(face_of(1, direction.y > 0.0), uvw, level, half_texel);
+    let z = sample_face(face_of(2, direction.z > 0.0), uvw, level, half_texel);
+    let value = abs(direction.x) * x + abs(direction.y) * y + abs(direction.z) * z;
+    return value / max(value.a, 1.0);
 }
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {

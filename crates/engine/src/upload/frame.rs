@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec3};
-use voxlume_graph::{FixedPoint, Plan, SceneFacts};
+use voxlume_graph::{Plan, SceneFacts, fixed_point_scale};
 use voxlume_scene::{Camera, Scene};
 
 #[repr(C)]
@@ -25,8 +25,8 @@ pub(crate) struct Frame {
     sky: Vec3,
     attribute_scale: f32,
     screen: [u32; 2],
-    normal_scale: f32,
     emission_max: f32,
+    padding: f32,
     level_words: [u32; 16],
 }
 
@@ -43,7 +43,6 @@ impl Frame {
         let view = view::look_to_mat4(eye, camera.forward, up);
         let projection = directx::perspective_infinite_reverse(camera.vertical_fov, aspect, near);
         let half_height = (camera.vertical_fov / 2.0).tan();
-        let scale = FixedPoint::for_triangles(plan.triangles);
         let mut level_words = [0; 16];
         for (to, from) in level_words.iter_mut().zip(grid.word_offsets().0) {
             *to = from;
@@ -64,10 +63,10 @@ impl Frame {
             grid_size: grid.size,
             texture_size: facts.texture_size,
             sky: scene.sky,
-            attribute_scale: scale.unsigned,
+            attribute_scale: fixed_point_scale(plan.triangles),
             screen: plan.screen,
-            normal_scale: scale.signed,
             emission_max: emission.max(f32::MIN_POSITIVE),
+            padding: 0.0,
             level_words,
         }
     }

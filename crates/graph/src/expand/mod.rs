@@ -154,9 +154,9 @@ impl<'a> Context<'a> {
         self.facts.emissive && !self.area_lights
     }
 
-    /// Words of a voxel's attributes: weight, reflectance, normal, and emission if there is any.
+    /// Words of a voxel's attributes: two weights, reflectance, two of normals, and emission if there is any.
     pub fn attribute_stride(&self) -> u32 {
-        if self.voxel_emission() { 10 } else { 7 }
+        if self.voxel_emission() { 14 } else { 11 }
     }
 
     /// Lights of all kinds.

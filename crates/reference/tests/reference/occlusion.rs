@@ -132,3 +132,17 @@ fn nothing_is_hidden_within_a_light_or_where_there_is_no_surface() {
         assert_eq!(measure(&scene, &request(away.clone(), quantity, 2)), (1.0, 0.0));
     }
 }
+
+/// Shadow rays end at the sphere's near side: what is within it hides nothing.
+#[test]
+fn a_plate_within_a_light_does_not_hide_it() {
+    let mut scene = floor(grey(0.5));
+    add_disc(&mut scene, grey(0.5), Vec3::new(0.0, 2.0, 0.0), 0.4, false);
+    add_light(&mut scene, LightKind::Point { position: dvec3(0.0, 2.0, 0.0), radius: 0.5 }, 1.0);
+    expect_visibility(&scene, 1.0);
+    // Smaller than the plate, the light is behind it and then before it.
+    scene.lights[0].kind = LightKind::Point { position: dvec3(0.0, 2.2, 0.0), radius: 0.1 };
+    expect_visibility(&scene, 0.0);
+    scene.lights[0].kind = LightKind::Point { position: dvec3(0.0, 1.8, 0.0), radius: 0.1 };
+    expect_visibility(&scene, 1.0);
+}
