@@ -39,12 +39,12 @@ fn filter_reach(normal: vec3f) -> f32 {
     return 1.5 * (abs(normal.x) + abs(normal.y) + abs(normal.z));
 }
 
-// Ends a cone before the filter finds a surface of this normal that its axis meets at `reach`.
-fn end_at_surface(cone: Cone, normal: vec3f) -> Cone {
+// Ends a cone before the filter finds the plane through a point that it runs to.
+fn end_at_plane(cone: Cone, point_voxel: vec3f, normal: vec3f) -> Cone {
     let lift = filter_reach(normal);
     let cosine = max(-dot(normal, cone.direction), 1e-4);
     var c = cone;
-    c.reach -= lift / cosine;
+    c.reach = (dot(cone.origin - point_voxel, normal) - lift) / cosine;
     c.end_growth = cosine / lift;
     return c;
 }

@@ -2,8 +2,8 @@
 // the light. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
-import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, end_at_surface, surface_cone};
-import package::common::frame::frame;
+import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, end_at_plane, surface_cone};
+import package::common::frame::{frame, to_voxel};
 import package::common::light::{Incidence, Light, area_corners, area_incidence, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::quad::quarter;
 import package::common::surface::Surface;
@@ -26,7 +26,9 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
     let reach = incidence.distance / frame.voxel_size;
     var cone = surface_cone(surface.position_voxel, surface.normal_geometric, incidence.direction, sine, reach, params.start);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        cone = end_at_surface(cone, light.direction);
+        // The observer may be behind a light of two sides.
+        let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
+        cone = end_at_plane(cone, to_voxel(light.position), facing);
     }
     return 1.0 - cone_trace(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0).a;
 }

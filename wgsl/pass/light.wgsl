@@ -2,7 +2,7 @@
 
 import package::common::attributes::{VoxelSurface, voxel_surface};
 import package::common::constants::PI;
-import package::common::frame::{frame, from_voxel};
+import package::common::frame::{frame, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, area_corners, area_incidence, LIGHT_AREA, HAS_AREA};
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::voxel_ray::ray_blocked;
@@ -40,8 +40,9 @@ fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f)
     var reach = incidence.distance / frame.voxel_size - dot(lift, incidence.direction);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // Stops short of the voxels of the light itself.
-        let cosine = max(abs(dot(light.direction, incidence.direction)), 1e-3);
-        reach -= cell_height(light.direction) / cosine;
+        let cosine = dot(light.direction, incidence.direction);
+        let height = abs(dot(to_voxel(light.position) - origin, light.direction));
+        reach = (height - cell_height(light.direction)) / max(abs(cosine), 1e-3);
     }
     return select(1.0, 0.0, ray_blocked(origin, incidence.direction, reach));
 }

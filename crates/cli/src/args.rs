@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use voxlume::{Faults, Formats, Library, Plan, Request, Scene, SceneFacts, Value};
+use voxlume::{Faults, Formats, Library, Pipeline, Plan, Request, Scene, SceneFacts, Value};
 
 use crate::pipeline;
 
@@ -43,8 +43,13 @@ pub struct PlanArgs {
 }
 
 impl PlanArgs {
+    /// Reads the pipeline.
+    pub fn pipeline(&self) -> Result<Pipeline, Faults> {
+        pipeline::load(&self.pipeline)
+    }
+
     /// Plans the pipeline for the scene.
-    pub fn plan(&self, scene: &Scene) -> Result<Plan, Faults> {
+    pub fn plan(&self, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
         let request = Request {
             format: self.format.clone(),
             encoding: self.encoding.clone(),
@@ -53,13 +58,13 @@ impl PlanArgs {
             set: self.set.clone(),
             screen: self.size,
         };
-        let pipeline = pipeline::load(&self.pipeline)?;
-        voxlume::plan(&pipeline, &SceneFacts::of(scene), &Formats::builtin(), &Library::builtin(), &request)
+        voxlume::plan(pipeline, &SceneFacts::of(scene), &Formats::builtin(), &Library::builtin(), &request)
     }
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+    let sides =
+        text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
     sides.ok_or_else(|| "two whole numbers with an `x` between them, such as 640x360".into())
 }
 
@@ -74,7 +79,9 @@ fn setting(text: &str) -> Result<(String, String, Value), String> {
 }
 
 fn parameter(text: &str) -> Result<Value, String> {
-    let finite = |number: f64| if number.is_finite() { Ok(number) } else { Err("a parameter must be finite".to_owned()) };
+    let finite = |number: f64| {
+        if number.is_finite() { Ok(number) } else { Err("a parameter must be finite".to_owned()) }
+    };
     let bare = text.trim_start_matches('(').trim_end_matches(')');
     if bare.contains(',') {
         let numbers = bare.split(',').map(|item| match item.trim().parse() {
@@ -86,7 +93,9 @@ fn parameter(text: &str) -> Result<Value, String> {
     match text {
         "true" => Ok(Value::Number(1.0)),
         "false" => Ok(Value::Number(0.0)),
-        _ => text.parse().map_or_else(|_| Ok(Value::Word(text.to_owned())), |number| finite(number).map(Value::Number)),
+        _ => text
+            .parse()
+            .map_or_else(|_| Ok(Value::Word(text.to_owned())), |number| finite(number).map(Value::Number)),
     }
 }
 

@@ -62,14 +62,20 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut different = Faults::default();
     different.extend(faults.into_iter().filter(|fault| told.insert(fault.to_string())));
     let modules = if everything { library.paths().count() } else { 0 } + files.shaders.len();
-    let checked = [(files.pipelines.len(), "pipeline"), (files.scenes.len(), "scene"), (modules, "WGSL module")];
-    let checked: Vec<String> = checked.iter().filter(|(n, _)| *n > 0).map(|(n, what)| count(*n, what)).collect();
+    let checked =
+        [(files.pipelines.len(), "pipeline"), (files.scenes.len(), "scene"), (modules, "WGSL module")];
+    let checked: Vec<String> =
+        checked.iter().filter(|(n, _)| *n > 0).map(|(n, what)| count(*n, what)).collect();
     let told = match told.len() {
         0 => "no faults".to_owned(),
         n => count(n, "fault"),
     };
     let summary = if checked.is_empty() { told } else { format!("{}: {told}", checked.join(", ")) };
-    if different.is_empty() { crate::print(&(summary + "\n")) } else { Err(Failure::Checked(different, summary)) }
+    if different.is_empty() {
+        crate::print(&(summary + "\n"))
+    } else {
+        Err(Failure::Checked(different, summary))
+    }
 }
 
 fn count(n: usize, what: &str) -> String {

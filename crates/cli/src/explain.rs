@@ -20,7 +20,8 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
+    let pipeline = args.plan.pipeline()?;
     let scene = Scene::load(&args.plan.scene)?;
-    let plan = args.plan.plan(&scene)?;
+    let plan = args.plan.plan(&pipeline, &scene)?;
     crate::print(&voxlume::explain(&plan))
 }

@@ -52,7 +52,9 @@ pub fn write(files: &[(OutFile, Vec<u8>)]) -> Result<(), Failure> {
         store().map_err(|error| (file, error))
     });
     let renamed = written.and_then(|()| {
-        files.iter().try_for_each(|(file, _)| fs::rename(&file.temporary, &file.path).map_err(|error| (file, error)))
+        files
+            .iter()
+            .try_for_each(|(file, _)| fs::rename(&file.temporary, &file.path).map_err(|error| (file, error)))
     });
     renamed.map_err(|(file, error)| {
         for (file, _) in files {
@@ -69,8 +71,10 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<_> =
-            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }

@@ -48,8 +48,14 @@ impl Kind {
                     let [r, g, b, a] = picture.pixels[at.y() * width + at.x()];
                     (r, g, b, a)
                 });
-                let attributes = LayerAttributes { software_name: Some("voxlume".into()), ..LayerAttributes::default() };
-                let layer = Layer::new((width, picture.height as usize), attributes, Encoding::SMALL_LOSSLESS, channels);
+                let attributes =
+                    LayerAttributes { software_name: Some("voxlume".into()), ..LayerAttributes::default() };
+                let layer = Layer::new(
+                    (width, picture.height as usize),
+                    attributes,
+                    Encoding::SMALL_LOSSLESS,
+                    channels,
+                );
                 Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes).map_err(failed)?;
             }
         }
@@ -87,7 +93,10 @@ mod tests {
         assert_eq!(visible("normal", pixel, 4.0), [191, 0, 255]);
         assert_eq!(visible("ao", pixel, 4.0), [128, 0, 255]);
         assert_eq!(visible("albedo", pixel, 4.0), [188, 0, 255]);
-        assert_eq!(visible("final", [0.25, 0.25, 0.25, 1.0], 2.0), visible("diffuse", [0.5, 0.5, 0.5, 0.0], 1.0));
+        assert_eq!(
+            visible("final", [0.25, 0.25, 0.25, 1.0], 2.0),
+            visible("diffuse", [0.5, 0.5, 0.5, 0.0], 1.0)
+        );
     }
 
     #[test]
@@ -98,7 +107,10 @@ mod tests {
         let read = exr::prelude::read()
             .no_deep_data()
             .largest_resolution_level()
-            .rgba_channels(|_, _| Vec::new(), |read: &mut Vec<[f32; 4]>, _, (r, g, b, a)| read.push([r, g, b, a]))
+            .rgba_channels(
+                |_, _| Vec::new(),
+                |read: &mut Vec<[f32; 4]>, _, (r, g, b, a)| read.push([r, g, b, a]),
+            )
             .first_valid_layer()
             .all_attributes()
             .from_buffered(Cursor::new(bytes))

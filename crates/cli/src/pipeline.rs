@@ -17,7 +17,9 @@ pub fn load(name: &str) -> Result<Pipeline, Faults> {
     let path = Path::new(name);
     if path.extension().is_none_or(|extension| extension != "ron") {
         let label = suggest(name, BUILTIN.iter().map(|(builtin, ..)| *builtin));
-        return Err(Fault::new(format!("unknown pipeline `{name}`")).note(format!("{label}, or a .ron file")).into());
+        return Err(Fault::new(format!("unknown pipeline `{name}`"))
+            .note(format!("{label}, or a .ron file"))
+            .into());
     }
     Pipeline::load(path)
 }

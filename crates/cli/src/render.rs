@@ -68,13 +68,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
     let json = args.json.as_deref().map(OutFile::new).transpose()?;
+    let pipeline = args.plan.pipeline()?;
 
     let mut progress = Progress::new();
     progress.stage(format!("loading {}", args.plan.scene.display()));
     let scene = Scene::load(&args.plan.scene)?;
     let camera = camera(&scene, args.camera.as_deref())?;
     progress.stage("planning".into());
-    let plan = args.plan.plan(&scene)?;
+    let plan = args.plan.plan(&pipeline, &scene)?;
 
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let gpu = Gpu::open(args.adapter.as_deref())?;

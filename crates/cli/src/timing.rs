@@ -116,14 +116,18 @@ impl Report {
     /// The tables that `render` prints.
     pub fn tables(&self, frames: &Frames) -> String {
         let Device { name, kind, driver } = &self.device;
-        let (format, encoding, n, occupied) = (&self.format, &self.encoding, self.resolution, self.occupied_voxels);
+        let (format, encoding, n, occupied) =
+            (&self.format, &self.encoding, self.resolution, self.occupied_voxels);
         let clock = match self.passes.first().map(|pass| pass.clock) {
             Some("gpu") => "the device's timestamps",
             _ => "the host's clock, as the device has no timestamps to rely on",
         };
         let mut passes = Table::new(["pass", "median ms", "spread ms"]).numbers_from(1);
+        let count = frames.wall.len();
         let mut time = |name: &str, (median, spread): (f64, f64)| {
-            passes.row([name.to_owned(), format!("{median:.2}"), format!("{spread:.2}")]);
+            // A single frame doesn't spread.
+            let spread = if count > 1 { format!("{spread:.2}") } else { "-".to_owned() };
+            passes.row([name.to_owned(), format!("{median:.2}"), spread]);
         };
         for pass in &self.passes {
             time(&pass.name, (pass.median_ms, pass.spread_ms));
@@ -136,7 +140,7 @@ impl Report {
         }
         let bytes: u64 = self.resources.iter().map(|resource| resource.bytes).sum();
         resources.row(["all resources".to_owned(), bytes.to_string()]);
-        let count = match frames.wall.len() {
+        let count = match count {
             1 => "one frame".to_owned(),
             count => format!("{count} frames (spread: interquartile range)"),
         };
@@ -157,7 +161,12 @@ mod tests {
     fn the_total_is_of_frames_not_of_medians() {
         let mut frames = Frames::default();
         for (a, b) in [(1.0, 9.0), (2.0, 2.0), (9.0, 1.0)] {
-            let pass = |name: &str, milliseconds| PassTime { pass: 0, name: name.into(), milliseconds, clock: Clock::Gpu };
+            let pass = |name: &str, milliseconds| PassTime {
+                pass: 0,
+                name: name.into(),
+                milliseconds,
+                clock: Clock::Gpu,
+            };
             frames.push(vec![pass("a", a), pass("b", b)], 20.0);
         }
         let medians: Vec<f64> = frames.passes().iter().map(|pass| pass.median_ms).collect();

@@ -8,7 +8,7 @@ const WHITE: f32 = 4.0;
 /// the screen's range. Takes linear RGB of Rec. 709, gives values in [0, 1].
 pub fn reinhard(color: [f32; 3]) -> [f32; 3] {
     // A NaN becomes 0; infinity, the most that images of half floats hold.
-    let color = color.map(|c| c.max(0.0).min(65504.0));
+    let color = color.map(|c| if c > 0.0 { c.min(65504.0) } else { 0.0 });
     let luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     let scale = (1.0 + luminance / (WHITE * WHITE)) / (1.0 + luminance);
     color.map(|c| (c * scale).min(1.0))

@@ -19,10 +19,15 @@ pub fn ensure(profile: &[&str]) -> Result<(), String> {
         let mut words = root.iter().copied().chain(["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]);
         let mut command = Command::new(words.next().unwrap_or("env"));
         // The lock may be held by the machine's own updates.
-        command.args(words).args(["-q", "-o", "DPkg::Lock::Timeout=120"]).args(arguments).stdin(Stdio::null());
+        command
+            .args(words)
+            .args(["-q", "-o", "DPkg::Lock::Timeout=120"])
+            .args(arguments)
+            .stdin(Stdio::null());
         run(&mut command)
     };
-    apt(&["update"]).and_then(|()| apt(&["install", "--yes", "--no-install-recommends", "mesa-vulkan-drivers"]))?;
+    apt(&["update"])
+        .and_then(|()| apt(&["install", "--yes", "--no-install-recommends", "mesa-vulkan-drivers"]))?;
     if has_device(profile) { Ok(()) } else { Err(ADVICE.into()) }
 }
 

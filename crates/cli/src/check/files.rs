@@ -63,8 +63,10 @@ fn inside(folder: &Path) -> Result<Vec<PathBuf>, Fault> {
     let read = || std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect();
     let all: std::io::Result<Vec<PathBuf>> = read();
     let all = all.map_err(|error| Fault::new(format!("cannot read `{}`: {error}", folder.display())))?;
-    let mut files: Vec<PathBuf> =
-        all.into_iter().filter(|path| path.is_file() && EXTENSIONS.contains(&extension(path).as_str())).collect();
+    let mut files: Vec<PathBuf> = all
+        .into_iter()
+        .filter(|path| path.is_file() && EXTENSIONS.contains(&extension(path).as_str()))
+        .collect();
     files.sort();
     Ok(files)
 }

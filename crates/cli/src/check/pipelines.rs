@@ -7,7 +7,8 @@ use voxlume::{Faults, Formats, KINDS, Library, Pipeline, Request, SceneFacts, Va
 pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
     let mut faults = Faults::default();
     for format in formats.iter() {
-        let mut request = Request { format: Some(format.name().to_owned()), set: used(pipeline), ..Request::image(64, 64) };
+        let mut request =
+            Request { format: Some(format.name().to_owned()), set: used(pipeline), ..Request::image(64, 64) };
         // The file's own word is checked as well.
         if !formats.iter().any(|known| known.name() == pipeline.format.value) {
             request.format = None;
@@ -17,7 +18,10 @@ pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Fault
         };
         // What a plan lacks, as nobody reads it, is planned for its own sake.
         if let Some(whole) = planned(&request, &rich(Some(2))) {
-            let absent = pipeline.passes.iter().filter(|pass| !whole.passes.iter().any(|other| other.name == pass.name));
+            let absent = pipeline
+                .passes
+                .iter()
+                .filter(|pass| !whole.passes.iter().any(|other| other.name == pass.name));
             let images = absent.filter(|pass| is_screen(&pass.run.value)).flat_map(|pass| &pass.writes);
             for image in images {
                 planned(&Request { output: Some(image.value.clone()), ..request.clone() }, &rich(Some(2)));

@@ -6,32 +6,42 @@ const RENDER: &str = "render box.ron --pipeline pipe.ron -o out.png";
 
 #[test]
 fn unknown_pipeline() {
-    Folder::new().refuses("render box.ron --pipeline ig -o out.png", "loading box.ron
-planning
-error: unknown pipeline `ig`
- = did you mean `gi`? one of: gi, or a .ron file");
+    Folder::new().refuses(
+        "render box.ron --pipeline ig -o out.png",
+        "error: unknown pipeline `ig`
+ = did you mean `gi`? one of: gi, or a .ron file",
+    );
 }
 
 #[test]
 fn missing_pipeline() {
-    Folder::new().refuses("render box.ron --pipeline none.ron -o out.png", "loading box.ron
-planning
-error: cannot read `none.ron`: no such file");
+    Folder::new().refuses(
+        "render box.ron --pipeline none.ron -o out.png",
+        "error: cannot read `none.ron`: no such file",
+    );
 }
 
 #[test]
 fn unknown_format() {
-    Folder::new().refuses("render box.ron --format sixface -o out.png", "loading box.ron
+    Folder::new().refuses(
+        "render box.ron --format sixface -o out.png",
+        "loading box.ron
 planning
 error: unknown storage format `sixface`
- = did you mean `six_face`? one of: isotropic, six_face, sh2");
+ = did you mean `six_face`? one of: isotropic, six_face, sh2",
+    );
 }
 
 #[test]
 fn unknown_words_of_the_file_all_at_once() {
     let folder = Folder::new();
-    folder.file("pipe.ron", PIPELINE.replace("isotropic", "isotropi").replace("16float", "8").replace("32", "33"));
-    folder.refuses(RENDER, r#"loading box.ron
+    folder.file(
+        "pipe.ron",
+        PIPELINE.replace("isotropic", "isotropi").replace("16float", "8").replace("32", "33"),
+    );
+    folder.refuses(
+        RENDER,
+        r#"loading box.ron
 planning
 error: unknown storage format `isotropi`
   ┌─ pipe.ron:2:13
@@ -49,15 +59,19 @@ error: a grid of 33 × 33 × 33 voxels
   ┌─ pipe.ron:4:17
   │
 4 │     resolution: 33,
-  │                 ^^ one of: 16, 32, 64, 128, 256, 512"#);
+  │                 ^^ one of: 16, 32, 64, 128, 256, 512"#,
+    );
 }
 
 #[test]
 fn unknown_image() {
-    Folder::new().refuses("render box.ron --pipeline pipe.ron --output tin -o out.png", "loading box.ron
+    Folder::new().refuses(
+        "render box.ron --pipeline pipe.ron --output tin -o out.png",
+        "loading box.ron
 planning
 error: unknown output `tin`
- = did you mean `tint`? one of: tint, albedo, normal, geometry, depth, emission");
+ = did you mean `tint`? one of: tint, albedo, normal, geometry, depth, emission",
+    );
 }
 
 #[test]
@@ -81,13 +95,16 @@ error: the passes form a cycle
 fn missing_parameter() {
     let folder = Folder::new();
     folder.edit("pipe.ron", PIPELINE, ", params: (strength: 0.5)", "");
-    folder.refuses(RENDER, r#"loading box.ron
+    folder.refuses(
+        RENDER,
+        r#"loading box.ron
 planning
 error: pass `tint` lacks the parameter `strength`
   ┌─ pipe.ron:9:9
   │
 9 │         (run: "tint.wgsl", reads: ["surface"], writes: ["tint"]),
-  │         ^ a number in [0, 1]: How much of the colour remains, [0, 1]."#);
+  │         ^ a number in [0, 1]: How much of the colour remains, [0, 1]."#,
+    );
 }
 
 #[test]
@@ -112,14 +129,20 @@ error: pass `tint` has no parameter `stength`
 #[test]
 fn settings_of_no_pass_and_no_parameter() {
     let folder = Folder::new();
-    folder.refuses(&format!("{RENDER} --set tnit.strength=1"), "loading box.ron
+    folder.refuses(
+        &format!("{RENDER} --set tnit.strength=1"),
+        "loading box.ron
 planning
 error: no pass is called `tnit`
- = did you mean `tint`? one of: gbuffer, tint");
-    folder.refuses(&format!("{RENDER} --set tint.strenth=1"), "loading box.ron
+ = did you mean `tint`? one of: gbuffer, tint",
+    );
+    folder.refuses(
+        &format!("{RENDER} --set tint.strenth=1"),
+        "loading box.ron
 planning
 error: pass `tint` has no parameter `strenth`
- = did you mean `strength`? one of: strength");
+ = did you mean `strength`? one of: strength",
+    );
 }
 
 #[test]
@@ -127,35 +150,44 @@ fn typo_in_an_effect() {
     let folder = Folder::new();
     folder.edit("pipe.ron", PIPELINE, ", params: (strength: 0.5)", "");
     folder.edit("tint.wgsl", TINT, "params.strength", "params.strenght");
-    folder.refuses(RENDER, "loading box.ron
+    folder.refuses(
+        RENDER,
+        "loading box.ron
 planning
 error: invalid field accessor `strenght`
   ┌─ tint.wgsl:9:46
   │
 9 │     return vec4f(surface.base_color * params.strenght, 1.0);
-  │                                              ^^^^^^^^ invalid accessor");
+  │                                              ^^^^^^^^ invalid accessor",
+    );
 }
 
 #[test]
 fn effect_outside_the_folder() {
     let folder = Folder::new();
     folder.edit("pipe.ron", PIPELINE, "tint.wgsl", "../tint.wgsl");
-    folder.refuses(RENDER, r#"loading box.ron
+    folder.refuses(
+        RENDER,
+        r#"loading box.ron
 planning
 error: an effect's file outside the pipeline's folder
   ┌─ pipe.ron:9:15
   │
 9 │         (run: "../tint.wgsl", reads: ["surface"], writes: ["tint"], params: (strength: 0.5)),
-  │               ^^^^^^^^^^^^^^ a path below the pipeline's folder"#);
+  │               ^^^^^^^^^^^^^^ a path below the pipeline's folder"#,
+    );
 }
 
 #[test]
 fn too_many_voxels_and_pixels() {
-    Folder::new().refuses("render box.ron --resolution 100000 --size 99999x10 -o out.png", "loading box.ron
+    Folder::new().refuses(
+        "render box.ron --resolution 100000 --size 99999x10 -o out.png",
+        "loading box.ron
 planning
 error: a grid of 100000 × 100000 × 100000 voxels
  = one of: 16, 32, 64, 128, 256, 512
 
 error: an image of 99999 × 10 pixels
- = each side: 1 to 8192");
+ = each side: 1 to 8192",
+    );
 }

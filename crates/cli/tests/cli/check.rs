@@ -6,13 +6,20 @@ use crate::folder::{Folder, PIPELINE, TINT};
 fn all_is_well() {
     let folder = Folder::new();
     let ran = folder.run("check .");
-    assert_eq!((ran.code, ran.stdout.as_str(), ran.stderr.as_str()), (Some(0), "1 pipeline, 1 scene, 1 WGSL module: no faults\n", ""));
+    assert_eq!(
+        (ran.code, ran.stdout.as_str(), ran.stderr.as_str()),
+        (Some(0), "1 pipeline, 1 scene, 1 WGSL module: no faults\n", "")
+    );
     // What the program carries, without any file.
     std::fs::create_dir(folder.path().join("empty")).unwrap();
     assert_eq!(folder.run("check empty").stdout, "no faults\n");
     let ran = folder.run("check");
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
-    assert!(ran.stdout.starts_with("1 pipeline, ") && ran.stdout.ends_with(" WGSL modules: no faults\n"), "{}", ran.stdout);
+    assert!(
+        ran.stdout.starts_with("1 pipeline, ") && ran.stdout.ends_with(" WGSL modules: no faults\n"),
+        "{}",
+        ran.stdout
+    );
 }
 
 #[test]
@@ -92,11 +99,14 @@ fn a_module_in_the_place_of_a_builtin_one() {
     let folder = Folder::new();
     std::fs::create_dir_all(folder.path().join("wgsl/common")).unwrap();
     folder.file("wgsl/common/constants.wgsl", "const PI: f32 = 3.0\n");
-    folder.refuses("check wgsl/common/constants.wgsl", "error: unfinished declaration
+    folder.refuses(
+        "check wgsl/common/constants.wgsl",
+        "error: unfinished declaration
   ┌─ wgsl/common/constants.wgsl:1:17
   │
 1 │ const PI: f32 = 3.0
   │                 ^^^ expected `;` after this
 
-1 WGSL module: 1 fault");
+1 WGSL module: 1 fault",
+    );
 }

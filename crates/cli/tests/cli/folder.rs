@@ -83,7 +83,8 @@ impl Folder {
 
     pub fn run_with(&self, arguments: &[&str]) -> Ran {
         let mut command = Command::new(env!("CARGO_BIN_EXE_voxlume"));
-        let output = command.args(arguments).current_dir(self.path()).env_remove("RUST_LOG").output().unwrap();
+        let output =
+            command.args(arguments).current_dir(self.path()).env_remove("RUST_LOG").output().unwrap();
         let text = |bytes| String::from_utf8(bytes).unwrap();
         Ran { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
     }

@@ -37,23 +37,39 @@ fn cornell_as_png_exr_and_json() {
         let count = (x.len() * 48) as f32;
         x.flat_map(|x| (0..48).map(move |y| y * 64 + x)).map(|at| pixels[at][channel]).sum::<f32>() / count
     };
-    assert!(mean(9..16, 0) > 2.0 * mean(9..16, 1), "{} {}", mean(9..16, 0), mean(9..16, 1));
-    assert!(mean(48..55, 1) > 2.0 * mean(48..55, 0), "{} {}", mean(48..55, 1), mean(48..55, 0));
+    assert!(mean(9..16, 0) > 1.3 * mean(9..16, 1), "{} {}", mean(9..16, 0), mean(9..16, 1));
+    assert!(mean(48..55, 1) > 1.3 * mean(48..55, 0), "{} {}", mean(48..55, 1), mean(48..55, 0));
     assert!(pixels.iter().any(|pixel| pixel[0] > 5.0));
 }
 
 #[test]
 fn json_has_its_schema() {
     let folder = Folder::new();
-    let ran = folder.run("render box.ron --camera side --pipeline pipe.ron --size 16x16 --repeat 3 -o tint.exr --json t.json");
+    let ran = folder.run(
+        "render box.ron --camera side --pipeline pipe.ron --size 16x16 --repeat 3 -o tint.exr --json t.json",
+    );
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let text = std::fs::read_to_string(folder.path().join("t.json")).unwrap();
     let json: Value = serde_json::from_str(&text).unwrap();
-    let top = ["device", "encoding", "format", "occupied_voxels", "passes", "resolution", "resources", "scene", "schema", "total_ms"];
+    let top = [
+        "device",
+        "encoding",
+        "format",
+        "occupied_voxels",
+        "passes",
+        "resolution",
+        "resources",
+        "scene",
+        "schema",
+        "total_ms",
+    ];
     assert_eq!(keys(&json), top);
     assert_eq!(keys(&json["device"]), ["driver", "name", "type"]);
     assert_eq!((&json["schema"], &json["scene"]), (&1.into(), &"box".into()));
-    assert_eq!((&json["format"], &json["encoding"], &json["resolution"]), (&"isotropic".into(), &"rgba16float".into(), &32.into()));
+    assert_eq!(
+        (&json["format"], &json["encoding"], &json["resolution"]),
+        (&"isotropic".into(), &"rgba16float".into(), &32.into())
+    );
     let passes = json["passes"].as_array().unwrap();
     let names: Vec<_> = passes.iter().map(|pass| pass["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["gbuffer", "tint"]);
@@ -71,12 +87,18 @@ fn json_has_its_schema() {
     // The table says the same, and by which clock.
     let row = ran.stdout.lines().any(|line| line.split_whitespace().eq(["tint", "2048"]));
     assert!(row, "{}", ran.stdout);
-    assert!(ran.stdout.contains("times of 3 frames (spread: interquartile range) after one of warm-up, by the "));
+    assert!(
+        ran.stdout.contains("times of 3 frames (spread: interquartile range) after one of warm-up, by the ")
+    );
 }
 
 #[test]
 fn unknown_adapter() {
     let ran = Folder::new().run("render box.ron --pipeline pipe.ron --adapter no-such-thing -o out.png");
     assert_eq!(ran.code, Some(2));
-    assert!(ran.stderr.contains("error: no graphics device is called `no-such-thing`; there is: "), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("error: no graphics device is called `no-such-thing`; there is: "),
+        "{}",
+        ran.stderr
+    );
 }

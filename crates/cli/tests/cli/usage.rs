@@ -7,10 +7,13 @@ fn sizes() {
     Folder::new().refuses("render box.ron --size 512 -o out.png", "error: invalid value '512' for '--size <WxH>': two whole numbers with an `x` between them, such as 640x360
 
 For more information, try '--help'.");
-    Folder::new().refuses("render box.ron --size 0x64 -o out.png", "loading box.ron
+    Folder::new().refuses(
+        "render box.ron --size 0x64 -o out.png",
+        "loading box.ron
 planning
 error: an image of 0 × 64 pixels
- = each side: 1 to 8192");
+ = each side: 1 to 8192",
+    );
 }
 
 #[test]
@@ -22,12 +25,15 @@ For more information, try '--help'.");
 
 #[test]
 fn no_output() {
-    Folder::new().refuses("render box.ron", "error: the following required arguments were not provided:
+    Folder::new().refuses(
+        "render box.ron",
+        "error: the following required arguments were not provided:
   -o <FILE>
 
 Usage: voxlume render -o <FILE> <SCENE>
 
-For more information, try '--help'.");
+For more information, try '--help'.",
+    );
 }
 
 #[test]
