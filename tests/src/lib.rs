@@ -1,1 +1,14 @@
-//! Helpers that the tests share.
+//! Helpers that the tests share: a device, scenes made in memory, the voxel substrate as read back from the
+//! device, and what it should be, worked out in `f64`.
+
+mod overlap;
+mod random;
+mod render;
+mod scenes;
+mod substrate;
+
+pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
+pub use random::Random;
+pub use render::{gi, gpu, picture, plan_for, render, root};
+pub use scenes::{add, built_in, place, sample, scene_of, soup, span, triangle, triangles};
+pub use substrate::{Run, Substrate};

@@ -58,7 +58,8 @@ fn surface_cone(p_voxel: vec3f, normal: vec3f, direction: vec3f, sine: f32, reac
 
 // The widest level, whole, whose linear filter neither reaches back to the surface left nor on to the end.
 fn clear_level(cone: Cone, t: f32) -> f32 {
-    var clearance = cone.end_growth * (cone.reach - t);
+    // The sample lies up to half a cell nearer to the end than t.
+    var clearance = cone.end_growth * (cone.reach - t) / (1.0 + 0.5 * cone.end_growth);
     if (!VOXEL_ONE_SIDED) {
         clearance = min(clearance, cone.clearance + cone.clearance_growth * t);
     }
@@ -111,7 +112,12 @@ fn cone_trace(cone: Cone, settings: ConeSettings, falloff: f32) -> vec4f {
         }
         let value = voxel_sample(p / grid, s.level, cone.direction) * inside_grid;
         if (value.a > 0.0) {
-            let weight = min(transmittance, value.a * s.length / cell);
+            // Doubling cones take few samples, each the share of a surface that its filter finds: shares add up.
+            // Spheres follow each other as layers do.
+            var weight = min(transmittance, value.a * s.length / cell);
+            if (settings.stepper == STEPPER_SPHERES) {
+                weight = transmittance * opacity_over(value.a, s.length / cell);
+            }
             gathered += vec4f(value.rgb * (weight / value.a), weight / (1.0 + falloff * s.at));
             transmittance -= weight;
         }

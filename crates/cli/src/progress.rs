@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// How long plain lines say nothing new about repeated work.
-const QUIET: Duration = Duration::from_secs(2);
+const QUIET: Duration = Duration::from_secs(10);
 
 /// Tells on stderr what is being done. A spinner leaves no trace when this is dropped.
 pub struct Progress {

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3, Vec2, Vec3, Vec4};
 use voxlume_scene::{Instance, Light, LightKind, Material, Mesh, Scene, Texture, TextureRef};
 
-use crate::request::{Gather, PixelSampling, Quantity, Reflection, Request};
+use crate::request::{Gather, Panel, PixelSampling, Quantity, Reflection, Request};
 
 /// Raised whenever the tracer's results change for the same scene and request.
 const VERSION: u32 = 1;
@@ -192,6 +192,10 @@ impl Hash {
             Quantity::AmbientOcclusion { distance, falloff } => {
                 self.bytes(&[1]);
                 self.floats(&[distance, falloff]);
+            }
+            Quantity::PanelShadow(Panel { corners, double_sided }) => {
+                self.bytes(&[5, u8::from(double_sided)]);
+                corners.iter().for_each(|corner| self.dvec3(*corner));
             }
             Quantity::Diffuse(gather) => self.gather(2, gather),
             Quantity::Specular(gather) => self.gather(3, gather),

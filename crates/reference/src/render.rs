@@ -9,12 +9,20 @@ use rayon::prelude::*;
 use crate::Error;
 use crate::gather::Sources;
 use crate::lobe::Lobe;
-use crate::picture::{Picture, Statistics};
+use crate::picture::{Picture, Ratio, Statistics};
 use crate::request::{PixelSampling, Quantity, Request};
 use crate::rng::Rng;
 use crate::surface::Surface;
 use crate::tracer::Tracer;
 use crate::view::View;
+
+/// One sample of a quantity.
+pub(crate) enum Sample {
+    /// The quantity is the mean of these.
+    Value(Vec3),
+    /// The quantity is the weight of those that are so over the weight of all.
+    Share { weight: f64, so: bool },
+}
 
 impl Tracer {
     /// Computes a picture on the current rayon pool's threads. The same request gives the same bits,
@@ -49,7 +57,7 @@ impl Tracer {
                     return Err(Error::Cancelled);
                 }
                 let (x32, y32) = (x as u32, y as u32);
-                (mean[x], error[x]) = self.pixel(request, &view, x32, y32).finish();
+                (mean[x], error[x]) = self.pixel(request, &view, x32, y32);
                 if !mean[x].iter().chain(&error[x]).all(|value| value.is_finite()) {
                     return Err(Error::NotFinite { x: x32, y: y32 });
                 }
@@ -62,30 +70,35 @@ impl Tracer {
         Ok(Picture { width: request.width, height: request.height, mean, standard_error })
     }
 
-    fn pixel(&self, request: &Request, view: &View, x: u32, y: u32) -> Statistics {
+    /// A pixel's mean and its standard error.
+    fn pixel(&self, request: &Request, view: &View, x: u32, y: u32) -> ([f32; 3], [f32; 3]) {
         let (x, y) = (x as f32, y as f32);
         let index = u64::from(y as u32) * u64::from(request.width) + u64::from(x as u32);
         let centre = match request.sampling {
             PixelSampling::Centre => Some(self.seen(view.ray(x + 0.5, y + 0.5))),
             PixelSampling::Area => None,
         };
-        let mut statistics = Statistics::default();
+        let (mut statistics, mut ratio) = (Statistics::default(), Ratio::default());
         for sample in 0..request.samples {
             let mut rng = Rng::new(request.seed, index, u64::from(sample));
             let seen = centre.unwrap_or_else(|| {
                 let [dx, dy] = rng.square();
                 self.seen(view.ray(x + dx, y + dy))
             });
-            statistics.add(self.sample(request, seen, &mut rng).to_array());
+            match self.sample(request, seen, &mut rng) {
+                Sample::Value(value) => statistics.add(value.to_array()),
+                Sample::Share { weight, so } => ratio.add(weight, so),
+            }
         }
-        statistics
+        ratio.finish().unwrap_or_else(|| statistics.finish())
     }
 
     /// One sample of the request's quantity.
-    fn sample(&self, request: &Request, seen: Option<Surface>, rng: &mut Rng) -> Vec3 {
-        let Some(surface) = seen else { return self.background(request.quantity) };
+    fn sample(&self, request: &Request, seen: Option<Surface>, rng: &mut Rng) -> Sample {
+        let Some(surface) = seen else { return Sample::Value(self.background(request.quantity)) };
         let reflection = request.reflection;
-        match request.quantity {
+        Sample::Value(match request.quantity {
+            Quantity::PanelShadow(panel) => return self.panel_shadow(&surface, &panel, rng),
             Quantity::SoftShadow { light } => Vec3::splat(self.shadow(&surface, light, rng)),
             Quantity::AmbientOcclusion { distance, falloff } => {
                 Vec3::splat(self.accessibility(&surface, distance, falloff, rng))
@@ -103,13 +116,13 @@ impl Tracer {
                 let lobe = surface.lobe(reflection);
                 surface.emission + self.gather(surface, lobe, Sources::ALL, bounces, reflection, rng)
             }
-        }
+        })
     }
 
     /// Where the camera sees no surface.
     fn background(&self, quantity: Quantity) -> Vec3 {
         match quantity {
-            Quantity::SoftShadow { .. } | Quantity::AmbientOcclusion { .. } => Vec3::ONE,
+            Quantity::SoftShadow { .. } | Quantity::PanelShadow(_) | Quantity::AmbientOcclusion { .. } => Vec3::ONE,
             Quantity::Diffuse(_) | Quantity::Specular(_) => Vec3::ZERO,
             Quantity::Final { .. } => self.sky,
         }

@@ -1,5 +1,6 @@
 //! What is to be computed.
 
+use glam::DVec3;
 use voxlume_scene::Camera;
 
 use crate::Error;
@@ -62,6 +63,16 @@ pub struct Gather {
     pub emission: bool,
 }
 
+/// A flat convex quadrilateral that emits evenly, such as the scene's
+/// [`EmissivePolygon`](voxlume_scene::EmissivePolygon)s are; a triangle repeats its last corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Panel {
+    /// World space, counter-clockwise from the front.
+    pub corners: [DVec3; 4],
+    /// Whether its back emits too.
+    pub double_sided: bool,
+}
+
 /// What a pixel holds.
 ///
 /// Throughout, `x` is the surface that the camera sees in the pixel (single-sided triangles seen from
@@ -84,6 +95,10 @@ pub enum Quantity {
         /// Index in [`voxlume_scene::Scene::lights`].
         light: usize,
     },
+    /// As [`Quantity::SoftShadow`] for a surface that emits evenly: the share of the irradiance that it would give
+    /// `x` if nothing were in between, `∫ V cosθ dω / ∫ cosθ dω` over the directions towards it. 0 where it gives none
+    /// anyway, 1 where the camera sees no surface.
+    PanelShadow(Panel),
     /// Accessibility: `1 − (1/π) ∫ f(d(ω)) cosθ dω`, in \[0,1\], where `d` is the distance to the first
     /// surface and `f(d) = 1/(1 + falloff·d)` below `distance`, else 0. Directions above `n`'s horizon
     /// but below the triangle's own are blocked at distance 0. 1 where the camera sees no surface.
@@ -112,15 +127,9 @@ pub enum Quantity {
 impl Request {
     /// Checks everything but the light's index, which needs the scene.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        let (width, height) = (self.width, self.height);
-        if width == 0 || height == 0 || u64::from(width) * u64::from(height) > MAX_PIXELS {
-            return Err(Error::Size { width, height });
-        }
+        check_view(&self.camera, self.width, self.height)?;
         if self.samples < 2 {
             return Err(Error::Samples(self.samples));
-        }
-        if let Some(fault) = camera_fault(&self.camera) {
-            return Err(Error::Camera { name: self.camera.name.clone(), fault });
         }
         match self.quantity {
             Quantity::AmbientOcclusion { distance, falloff }
@@ -130,6 +139,17 @@ impl Request {
             }
             _ => Ok(()),
         }
+    }
+}
+
+/// Checks what makes a view.
+pub(crate) fn check_view(camera: &Camera, width: u32, height: u32) -> Result<(), Error> {
+    if width == 0 || height == 0 || u64::from(width) * u64::from(height) > MAX_PIXELS {
+        return Err(Error::Size { width, height });
+    }
+    match camera_fault(camera) {
+        Some(fault) => Err(Error::Camera { name: camera.name.clone(), fault }),
+        None => Ok(()),
     }
 }
 

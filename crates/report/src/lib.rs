@@ -1,1 +1,28 @@
 //! Error metrics, tables and the report.
+//!
+//! [`Comparison::errors`] holds an image against its reference, [`Results`] are what many comparisons gave, as JSON,
+//! CSV, text and one HTML page ([`page()`]).
+
+mod axis;
+mod comparison;
+mod csv;
+mod date;
+mod flip;
+mod metric;
+mod number;
+mod page;
+mod pareto;
+mod picture;
+mod plot;
+mod results;
+mod table;
+
+pub use comparison::{Comparison, ComparisonError, Shown};
+pub use csv::csv;
+pub use date::utc_now;
+pub use metric::{Errors, Note};
+pub use page::{Strip, page};
+pub use pareto::pareto_front;
+pub use picture::{PictureError, png, signed_error};
+pub use results::{Device, Outcome, Pass, Results, ResultsError, Row, SCHEMA};
+pub use table::table;

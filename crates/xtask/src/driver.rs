@@ -13,10 +13,10 @@ pub fn ensure(profile: &[&str]) -> Result<(), String> {
     if has_device(profile) {
         return Ok(());
     }
-    let Some(root) = root() else { return Err(ADVICE.into()) };
+    let Some(privilege) = privilege() else { return Err(ADVICE.into()) };
     eprintln!("no graphics device: installing mesa-vulkan-drivers");
     let apt = |arguments: &[&str]| {
-        let mut words = root.iter().copied().chain(["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]);
+        let mut words = privilege.iter().copied().chain(["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]);
         let mut command = Command::new(words.next().unwrap_or("env"));
         // The lock may be held by the machine's own updates.
         command
@@ -27,7 +27,8 @@ pub fn ensure(profile: &[&str]) -> Result<(), String> {
         run(&mut command)
     };
     apt(&["update"])
-        .and_then(|()| apt(&["install", "--yes", "--no-install-recommends", "mesa-vulkan-drivers"]))?;
+        .and_then(|()| apt(&["install", "--yes", "--no-install-recommends", "mesa-vulkan-drivers"]))
+        .map_err(|error| format!("{error}; {ADVICE}"))?;
     if has_device(profile) { Ok(()) } else { Err(ADVICE.into()) }
 }
 
@@ -38,7 +39,7 @@ fn has_device(profile: &[&str]) -> bool {
 }
 
 /// The words that come before a command that must run as root; `None` where apt-get can't.
-fn root() -> Option<&'static [&'static str]> {
+fn privilege() -> Option<&'static [&'static str]> {
     if !succeeds(Command::new("apt-get").arg("--version")) {
         return None;
     }

@@ -3,10 +3,10 @@
 
 mod driver;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-const USAGE: &str = "cargo xtask render    build everything and render the Cornell box to cornell.png
+const USAGE: &str = "cargo xtask render    build everything and render the Cornell box to out/cornell.png
 cargo xtask test      build everything and run all tests
 
 Where no graphics device is found, both install Debian's software Vulkan driver if they may (as root or with a
@@ -33,8 +33,10 @@ fn main() -> ExitCode {
 
 fn render() -> Result<(), String> {
     driver::ensure(&["--release"])?;
+    let folder = root().join("out");
+    std::fs::create_dir_all(&folder).map_err(|error| format!("`{}`: {error}", folder.display()))?;
     let program = ["run", "--quiet", "--release", "--package", "voxlume-cli", "--"];
-    run(cargo().args(program).args(["render", "scenes/cornell.ron", "-o", "cornell.png"]))
+    run(cargo().args(program).args(["render", "scenes/cornell.ron", "-o", "out/cornell.png"]))
 }
 
 fn test() -> Result<(), String> {
@@ -42,11 +44,15 @@ fn test() -> Result<(), String> {
     run(cargo().args(["test", "--workspace"]))
 }
 
+/// The workspace's folder.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
 /// Cargo, at the root of the workspace.
 fn cargo() -> Command {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.current_dir(root);
+    command.current_dir(root());
     command
 }
 

@@ -2,6 +2,7 @@
 // emitter overshoot to 1.25 ahead and −0.25 behind. So radiance is divided by what the same two bands give for a
 // radiance of 1, which makes it exact for surfaces of one radiance; what is negative is clamped to zero.
 
+import package::common::frame::frame;
 import package::common::volume_sampler::volume_sampler;
 import package::format::basis::{COEFFICIENTS, SH0, SH1, LOBE0, LOBE1, decode_opacity, mean_opacity};
 
@@ -20,8 +21,7 @@ fn sample_coefficient(index: u32, uvw: vec3f, level: f32, half_texel: f32) -> ve
 
 // `level` counts from the coefficients' first, which is level 1 of the grid.
 fn sample_harmonics(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    let depth = f32(textureDimensions(harmonics).x >> u32(ceil(level)));
-    let half_texel = 0.5 / max(depth, 1.0);
+    let half_texel = 0.5 * exp2(ceil(level)) / f32(frame.grid_size.z >> 1);
     let c0 = sample_coefficient(0, uvw, level, half_texel);
     let cx = sample_coefficient(1, uvw, level, half_texel);
     let cy = sample_coefficient(2, uvw, level, half_texel);
@@ -40,14 +40,15 @@ fn sample_harmonics(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     return vec4f(max(radiance, vec3f(0.0)) / max(unit, 0.1 * mean + 1e-6) * opacity, opacity);
 }
 
+// Level 0 is the same from all sides. Level 1 says from which it is seen at all: where that is a quarter or more,
+// level 0 counts in full.
+const FACING_FULL = 0.25;
+
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    if (level <= 0.0) {
-        return textureSampleLevel(base, volume_sampler, uvw, 0.0);
-    }
-    let coarsest = f32(textureNumLevels(harmonics) - 1);
-    let coarse = sample_harmonics(uvw, clamp(level - 1.0, 0.0, coarsest), direction);
+    let coarse = sample_harmonics(uvw, max(level - 1.0, 0.0), direction);
     if (level >= 1.0) {
         return coarse;
     }
-    return mix(textureSampleLevel(base, volume_sampler, uvw, 0.0), coarse, level);
+    let fine = textureSampleLevel(base, volume_sampler, uvw, 0.0) * saturate(coarse.a / FACING_FULL);
+    return mix(fine, coarse, max(level, 0.0));
 }

@@ -9,5 +9,6 @@ mod lights;
 mod materials;
 mod messages;
 mod occlusion;
+mod panels;
 mod precision;
 mod stage;

@@ -1,0 +1,252 @@
+//! The report as one page of HTML, which needs nothing beside it.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde::Serialize;
+
+use crate::number::{bytes, short};
+use crate::plot::{Plot, Point, SERIES, escape};
+use crate::results::{Outcome, Results, Row};
+use crate::table::{FIGURES, figures};
+
+/// Pictures of one row, as PNG files.
+#[derive(Clone, Debug)]
+pub struct Strip {
+    /// Which of the results' rows.
+    pub row: usize,
+    /// What was rendered.
+    pub image: Vec<u8>,
+    /// What it should be.
+    pub reference: Vec<u8>,
+    /// Their difference.
+    pub error: Vec<u8>,
+    /// The error at which its colour is full.
+    pub error_scale: f64,
+}
+
+/// A strip for the page's script: pictures by their place in the list of all.
+#[derive(Serialize)]
+struct ScriptStrip {
+    name: String,
+    image: usize,
+    reference: usize,
+    error: usize,
+    note: String,
+}
+
+/// The page. `date` and `subtitle` (what was asked for) stand in its head.
+pub fn page(results: &Results, strips: &[Strip], date: &str, subtitle: &str) -> String {
+    let device = &results.device;
+    let mut html = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>Voxlume: speed against error</title>\n<style>\n{}</style>\n</head>\n<body>\n\
+         <header><h1>Speed against error</h1>\n<p><b>{}</b> · {} · {}</p>\n<p>{}</p>\n<p>{}</p></header>\n<main>\n",
+        include_str!("page.css"),
+        escape(&device.name),
+        escape(&device.kind),
+        escape(&device.driver),
+        escape(date),
+        escape(subtitle),
+    );
+    let mut pictures = Pictures::default();
+    let mut scripts = BTreeMap::new();
+    for (number, (scene, effect)) in groups(results).into_iter().enumerate() {
+        section(&mut html, results, (scene, effect), number);
+        let of_group = strips.iter().filter(|strip| {
+            results.rows.get(strip.row).is_some_and(|row| row.scene == scene && row.effect == effect)
+        });
+        let list: Vec<ScriptStrip> = of_group.map(|strip| pictures.script(strip, &results.rows[strip.row])).collect();
+        if !list.is_empty() {
+            scripts.insert(number, list);
+        }
+        html += "</section>\n";
+    }
+    table(&mut html, results);
+    html += "</main>\n";
+    let data = serde_json::json!({ "pictures": pictures.list, "strips": scripts }).to_string();
+    // Within a script element only `<` could end it.
+    let data = data.replace('<', "\\u003c");
+    let _ = write!(
+        html,
+        "<script type=\"application/json\" id=\"data\">{data}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
+        include_str!("page.js")
+    );
+    html
+}
+
+/// Scenes and effects in the order in which they come.
+fn groups(results: &Results) -> Vec<(&str, &str)> {
+    let mut groups = Vec::new();
+    for row in &results.rows {
+        let group = (row.scene.as_str(), row.effect.as_str());
+        if !groups.contains(&group) {
+            groups.push(group);
+        }
+    }
+    groups
+}
+
+/// Formats and encodings in the order in which they come: each has its colour.
+fn series(results: &Results) -> Vec<(&str, &str)> {
+    let mut series = Vec::new();
+    for row in &results.rows {
+        let one = (row.format.as_str(), row.encoding.as_str());
+        if !series.contains(&one) {
+            series.push(one);
+        }
+    }
+    series
+}
+
+fn name(row: &Row) -> String {
+    format!("{} {} {}³", row.format, row.encoding, row.resolution)
+}
+
+fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize) {
+    let series = series(results);
+    let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
+    for row in results.rows.iter().filter(|row| (row.scene.as_str(), row.effect.as_str()) == group) {
+        let Outcome::Measured { passes: _, total_ms, volume_bytes, error } = &row.outcome else { continue };
+        let place = series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
+        let note = error.note().map(|note| format!(" ({note})")).unwrap_or_default();
+        let mut push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
+            list.push(Point {
+                series: place,
+                cost,
+                error: error.rmse,
+                label: row.resolution.to_string(),
+                title: format!("{}: {cost_text}, RMSE {}{note}", name(row), short(error.rmse)),
+            });
+        };
+        push(&mut by_time, *total_ms, format!("{total_ms:.2} ms"));
+        push(&mut by_bytes, *volume_bytes as f64, bytes(*volume_bytes as f64));
+    }
+    let (scene, effect) = group;
+    let _ = write!(html, "<section>\n<h2>{}: {}</h2>\n<div class=\"plots\">", escape(scene), escape(effect));
+    let time = Plot { cost: "time of all passes, ms", cost_text: short, error: "RMSE", error_text: short, points: by_time };
+    let size = Plot { cost: "bytes of the volume", cost_text: bytes, error: "RMSE", error_text: short, points: by_bytes };
+    for plot in [time, size] {
+        let _ = write!(html, "<figure>{}</figure>", plot.svg());
+    }
+    html.push_str("</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n<ul class=\"legend\">");
+    for (index, (format, encoding)) in series.iter().enumerate() {
+        let _ = write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
+    }
+    let _ = write!(
+        html,
+        "<li class=\"ringed\">Pareto front</li></ul>\n<div class=\"strips\" data-strips=\"{number}\"></div>\n"
+    );
+}
+
+fn table(html: &mut String, results: &Results) {
+    html.push_str("<section>\n<h2>All figures</h2>\n<p>A click on a head sorts.</p>\n<div class=\"wide\"><table>\n<thead><tr>");
+    let heads = ["scene", "effect", "format", "encoding", "N"];
+    for head in heads.iter().chain(&FIGURES).chain(&["note"]) {
+        let _ = write!(html, "<th><button type=\"button\">{head}</button></th>");
+    }
+    html.push_str("</tr></thead>\n<tbody>\n");
+    for row in &results.rows {
+        html.push_str("<tr>");
+        for cell in [&row.scene, &row.effect, &row.format, &row.encoding] {
+            let _ = write!(html, "<td>{}</td>", escape(cell));
+        }
+        let _ = write!(html, "<td data-value=\"{0}\">{0}</td>", row.resolution);
+        match &row.outcome {
+            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
+                let values = [
+                    Some(*total_ms),
+                    Some(*volume_bytes as f64),
+                    Some(error.rmse),
+                    error.rel_mse,
+                    Some(error.bias),
+                    error.bias_rel,
+                    Some(error.p99),
+                    Some(error.flip),
+                    Some(error.reference_se),
+                ];
+                for (text, value) in figures(*total_ms, *volume_bytes, error).iter().zip(values) {
+                    let value = value.map(|value| value.to_string()).unwrap_or_default();
+                    let _ = write!(html, "<td data-value=\"{value}\">{}</td>", escape(text));
+                }
+                let note = error.note().map(|note| note.to_string()).unwrap_or_default();
+                let _ = write!(html, "<td>{}</td>", escape(&note));
+            }
+            Outcome::Failed { fault } => {
+                html.push_str(&"<td data-value=\"\">-</td>".repeat(FIGURES.len()));
+                let _ = write!(html, "<td class=\"fault\">{}</td>", escape(fault));
+            }
+        }
+        html.push_str("</tr>\n");
+    }
+    html.push_str("</tbody></table></div>\n</section>\n");
+}
+
+/// Every different picture once: many rows share a reference.
+#[derive(Default)]
+struct Pictures {
+    list: Vec<String>,
+}
+
+impl Pictures {
+    fn add(&mut self, png: &[u8]) -> usize {
+        let uri = format!("data:image/png;base64,{}", STANDARD.encode(png));
+        self.list.iter().position(|known| *known == uri).unwrap_or_else(|| {
+            self.list.push(uri);
+            self.list.len() - 1
+        })
+    }
+
+    fn script(&mut self, strip: &Strip, row: &Row) -> ScriptStrip {
+        ScriptStrip {
+            name: name(row),
+            image: self.add(&strip.image),
+            reference: self.add(&strip.reference),
+            error: self.add(&strip.error),
+            note: format!("red: too bright, blue: too dark, full at {}", short(strip.error_scale)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::results::tests::results;
+
+    fn html() -> String {
+        let strip = |image: &[u8]| Strip {
+            row: 0,
+            image: image.to_vec(),
+            reference: b"reference".to_vec(),
+            error: b"error".to_vec(),
+            error_scale: 0.5,
+        };
+        page(&results(), &[strip(b"one"), strip(b"two")], "2025-01-02 03:04 UTC", "64 samples")
+    }
+
+    #[test]
+    fn it_needs_nothing_beside_it() {
+        let html = html();
+        for outside in ["http:", "https:", "src=\"", "href=", "@import", "url("] {
+            assert!(!html.contains(outside), "{outside}");
+        }
+    }
+
+    #[test]
+    fn it_says_what_was_measured_on_what_and_when() {
+        let html = html();
+        assert!(html.contains("<p><b>llvmpipe</b> · software device · Mesa 22.3</p>\n<p>2025-01-02 03:04 UTC</p>"));
+        assert!(html.contains("<title>isotropic rgba16float 64³: 2.00 ms, RMSE 1.00 · Pareto front</title>"));
+        assert!(html.contains("<td class=\"fault\">too &lt;large&gt;, &quot;so&quot;</td>"));
+    }
+
+    #[test]
+    fn shared_pictures_are_stored_once() {
+        let html = html();
+        assert_eq!(html.matches("data:image/png;base64,").count(), 4);
+        assert!(html.contains("red: too bright, blue: too dark, full at 0.500"));
+    }
+}

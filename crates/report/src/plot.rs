@@ -1,0 +1,154 @@
+//! Error against cost, as SVG.
+
+use std::fmt::Write;
+
+use crate::axis::Axis;
+use crate::pareto::pareto_front;
+
+/// A plot of points on logarithmic axes.
+pub(crate) struct Plot<'a> {
+    /// What the horizontal axis has, with its unit.
+    pub(crate) cost: &'a str,
+    /// Writes a cost on the axis.
+    pub(crate) cost_text: fn(f64) -> String,
+    /// What the vertical axis has.
+    pub(crate) error: &'a str,
+    pub(crate) error_text: fn(f64) -> String,
+    pub(crate) points: Vec<Point>,
+}
+
+/// A point.
+pub(crate) struct Point {
+    /// Colour, from 0.
+    pub(crate) series: usize,
+    pub(crate) cost: f64,
+    pub(crate) error: f64,
+    /// Beside the point.
+    pub(crate) label: String,
+    /// In the tooltip.
+    pub(crate) title: String,
+}
+
+/// Colours in `page.css`.
+pub(crate) const SERIES: usize = 8;
+
+const WIDTH: f64 = 480.0;
+const HEIGHT: f64 = 340.0;
+/// Left, top, right, bottom.
+const MARGIN: [f64; 4] = [58.0, 14.0, 22.0, 46.0];
+
+impl Plot<'_> {
+    /// The picture. A logarithmic axis has no place for 0: such points are counted beneath.
+    pub(crate) fn svg(&self) -> String {
+        let shown: Vec<&Point> = self.points.iter().filter(|p| p.cost > 0.0 && p.error > 0.0).collect();
+        let costs: Vec<f64> = shown.iter().map(|point| point.cost).collect();
+        let errors: Vec<f64> = shown.iter().map(|point| point.error).collect();
+        let (Some(x), Some(y)) = (Axis::around(&costs), Axis::around(&errors)) else {
+            return "<p>Nothing to plot.</p>".into();
+        };
+        let [left, top, right, bottom] = MARGIN;
+        let at_x = |cost: f64| left + x.place(cost) * (WIDTH - left - right);
+        let at_y = |error: f64| HEIGHT - bottom - y.place(error) * (HEIGHT - top - bottom);
+        let mut svg = format!(
+            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{} against {}\">",
+            escape(self.error),
+            escape(self.cost)
+        );
+        for tick in &x.ticks {
+            let (at, text) = (at_x(*tick), escape(&(self.cost_text)(*tick)));
+            let (end, below) = (HEIGHT - bottom, HEIGHT - bottom + 16.0);
+            let _ = write!(svg, "<path class=\"grid\" d=\"M{at:.1} {top}V{end}\"/>");
+            let _ = write!(svg, "<text x=\"{at:.1}\" y=\"{below}\" text-anchor=\"middle\">{text}</text>");
+        }
+        for tick in &y.ticks {
+            let (at, text) = (at_y(*tick), escape(&(self.error_text)(*tick)));
+            let (end, before, middle) = (WIDTH - right, left - 6.0, at + 4.0);
+            let _ = write!(svg, "<path class=\"grid\" d=\"M{left} {at:.1}H{end}\"/>");
+            let _ = write!(svg, "<text x=\"{before}\" y=\"{middle:.1}\" text-anchor=\"end\">{text}</text>");
+        }
+        let (middle, low) = ((left + WIDTH - right) / 2.0, HEIGHT - 8.0);
+        let _ = write!(
+            svg,
+            "<text class=\"name\" x=\"{middle}\" y=\"{low}\" text-anchor=\"middle\">{}</text>\
+             <text class=\"name\" transform=\"translate(13 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            escape(self.cost),
+            (top + HEIGHT - bottom) / 2.0,
+            escape(self.error)
+        );
+
+        let pairs: Vec<(f64, f64)> = shown.iter().map(|point| (point.cost, point.error)).collect();
+        let front = pareto_front(&pairs);
+        let mut on_front: Vec<(f64, f64)> =
+            pairs.iter().zip(&front).filter(|(_, front)| **front).map(|(pair, _)| *pair).collect();
+        on_front.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // To the right of a point of the front nothing worse than it is needed: a staircase.
+        let mut stairs = String::new();
+        for (index, (cost, error)) in on_front.iter().enumerate() {
+            let (step, h, v) = (if index == 0 { "M" } else { "H" }, at_x(*cost), at_y(*error));
+            let _ = if index == 0 { write!(stairs, "{step}{h:.1} {v:.1}") } else { write!(stairs, "{step}{h:.1}V{v:.1}") };
+        }
+        let _ = write!(svg, "<path class=\"front\" d=\"{stairs}\"/>");
+        for (point, front) in shown.iter().zip(front) {
+            let (h, v) = (at_x(point.cost), at_y(point.error));
+            let _ = write!(svg, "<g class=\"point s{}\" tabindex=\"0\">", point.series % SERIES);
+            let title = if front { format!("{} · Pareto front", point.title) } else { point.title.clone() };
+            let _ = write!(svg, "<title>{}</title>", escape(&title));
+            if front {
+                let _ = write!(svg, "<circle class=\"ring\" cx=\"{h:.1}\" cy=\"{v:.1}\" r=\"8\"/>");
+            }
+            // Towards the inside near the right edge.
+            let (label, anchor) = if h > WIDTH - 60.0 { (h - 9.0, "end") } else { (h + 9.0, "start") };
+            let _ = write!(
+                svg,
+                "<circle cx=\"{h:.1}\" cy=\"{v:.1}\" r=\"4.5\"/>\
+                 <text x=\"{label:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text></g>",
+                v - 6.0,
+                escape(&point.label)
+            );
+        }
+        svg += "</svg>";
+        match self.points.len() - shown.len() {
+            0 => svg,
+            absent => svg + &format!("<p class=\"absent\">{absent} at 0, which has no place on a logarithmic axis.</p>"),
+        }
+    }
+}
+
+/// Text for HTML, also within attributes.
+pub(crate) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::short;
+
+    fn plot(points: &[(f64, f64)]) -> String {
+        let point = |(cost, error): &(f64, f64)| Point {
+            series: 0,
+            cost: *cost,
+            error: *error,
+            label: "64<".into(),
+            title: format!("{cost}"),
+        };
+        let points = points.iter().map(point).collect();
+        Plot { cost: "ms", cost_text: short, error: "RMSE", error_text: short, points }.svg()
+    }
+
+    #[test]
+    fn the_front_is_marked_and_text_is_escaped() {
+        let svg = plot(&[(1.0, 2.0), (2.0, 1.0), (3.0, 3.0)]);
+        assert_eq!(svg.matches("class=\"ring\"").count(), 2);
+        assert_eq!(svg.matches("Pareto front</title>").count(), 2);
+        assert_eq!(svg.matches(">64&lt;</text>").count(), 3);
+        assert!(svg.contains("<title>3</title>"));
+    }
+
+    #[test]
+    fn no_place_for_nothing() {
+        assert!(plot(&[(1.0, 0.0), (1.0, 1.0)]).ends_with("<p class=\"absent\">1 at 0, which has no place on a logarithmic axis.</p>"));
+        assert_eq!(plot(&[]), "<p>Nothing to plot.</p>");
+        assert!(!plot(&[(1.0, 1.0)]).contains("NaN"));
+    }
+}

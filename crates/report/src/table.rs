@@ -1,0 +1,74 @@
+//! Results as a table of plain text.
+
+use crate::number::{bytes, percent, short};
+use crate::results::{Outcome, Results};
+
+/// Head of the columns shared with the page's table, after effect and place.
+pub(crate) const FIGURES: [&str; 9] =
+    ["total ms", "volume", "RMSE", "rel. MSE", "bias", "bias/mean", "p99", "FLIP", "ref. s.e."];
+
+/// The figures of a measured row, for people, under [`FIGURES`].
+pub(crate) fn figures(total_ms: f64, volume_bytes: u64, error: &crate::Errors) -> [String; 9] {
+    [
+        format!("{total_ms:.2}"),
+        bytes(volume_bytes as f64),
+        short(error.rmse),
+        error.rel_mse.map_or_else(|| "-".into(), short),
+        short(error.bias),
+        error.bias_rel.map_or_else(|| "-".into(), percent),
+        short(error.p99),
+        format!("{:.4}", error.flip),
+        short(error.reference_se),
+    ]
+}
+
+/// Aligned columns: figures to the right, notes and faults last. Ends with a line feed.
+pub fn table(results: &Results) -> String {
+    let mut head = ["scene", "effect", "format", "encoding", "N"].map(str::to_owned).to_vec();
+    head.extend(FIGURES.map(str::to_owned));
+    let mut rows = vec![(head, String::new())];
+    for row in &results.rows {
+        let mut cells = vec![
+            row.scene.clone(),
+            row.effect.clone(),
+            row.format.clone(),
+            row.encoding.clone(),
+            row.resolution.to_string(),
+        ];
+        let note = match &row.outcome {
+            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
+                cells.extend(figures(*total_ms, *volume_bytes, error));
+                error.note().map(|note| note.to_string()).unwrap_or_default()
+            }
+            Outcome::Failed { fault } => format!("failed: {}", fault.lines().next().unwrap_or_default()),
+        };
+        rows.push((cells, note));
+    }
+    let width = |column: usize| {
+        rows.iter().filter_map(|(cells, _)| cells.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..rows[0].0.len()).map(width).collect();
+    let line = |(cells, note): &(Vec<String>, String)| {
+        let cells = cells.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
+            if column >= 4 { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+        });
+        let line = cells.collect::<Vec<_>>().join("  ") + "  " + note;
+        line.trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::results::tests::results;
+
+    #[test]
+    fn columns_align() {
+        let expected = "\
+scene    effect   format     encoding      N  total ms    volume  RMSE  rel. MSE    bias  bias/mean   p99    FLIP  ref. s.e.
+cornell  diffuse  isotropic  rgba16float  64      2.00  4.00 KiB  1.00     0.500  -0.250          -  2.00  0.1250     0.0625
+cornell  diffuse  sh2        rgba16float  64  failed: too <large>, \"so\"
+";
+        assert_eq!(super::table(&results()), expected);
+    }
+}

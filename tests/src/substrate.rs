@@ -1,0 +1,101 @@
+//! The voxel substrate as the device holds it.
+#![allow(clippy::panic)]
+
+use glam::{DVec3, UVec3};
+use voxlume::scene::Geometry;
+use voxlume::{Grid, Renderer, Scene};
+
+/// The buffers of `voxels`, read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Substrate {
+    /// The grid.
+    pub grid: Grid,
+    /// One bit a cell, every level.
+    pub occupancy: Vec<u32>,
+    /// Bits set before each word, and in all.
+    pub ranks: Vec<u32>,
+    /// Every occupied cell, packed 10 bits a coordinate, levels one after the other.
+    pub cells: Vec<u32>,
+    /// Each level's part of `cells`.
+    pub levels: Vec<Run>,
+    /// Fixed-point sums of each occupied voxel.
+    pub attributes: Vec<u32>,
+}
+
+/// One level's part of the list of cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// Workgroups of 64 that cover it.
+    pub groups: [u32; 3],
+    /// First index.
+    pub first: u32,
+    /// How many.
+    pub count: u32,
+}
+
+impl Substrate {
+    /// Reads the buffers.
+    ///
+    /// # Panics
+    /// The plan has no voxels, or the device is lost.
+    pub fn read(renderer: &Renderer<'_>) -> Substrate {
+        let words = |name: &str| -> Vec<u32> {
+            let bytes = renderer.buffer(name).unwrap_or_else(|error| panic!("{error}"));
+            let bytes = bytes.unwrap_or_else(|| panic!("the plan has no `{name}`"));
+            bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+        };
+        // `struct LevelRun` in wgsl/common/grid.wgsl takes eight words.
+        let levels = words("levels");
+        let levels = levels.chunks_exact(8).map(|w| Run { groups: [w[0], w[1], w[2]], first: w[3], count: w[4] });
+        Substrate {
+            grid: renderer.plan().grid.clone(),
+            occupancy: words("occupancy"),
+            ranks: words("ranks"),
+            cells: words("cells"),
+            levels: levels.collect(),
+            attributes: words("attributes"),
+        }
+    }
+
+    /// Cells along each axis at a level.
+    pub fn size(&self, level: u32) -> UVec3 {
+        UVec3::from_array(self.grid.size.map(|n| (n >> level).max(1)))
+    }
+
+    /// Word and bit of a cell: bricks of 4 × 4 × 2 cells.
+    pub fn place(&self, cell: UVec3, level: u32) -> (usize, u32) {
+        let bricks = (self.size(level) + UVec3::new(3, 3, 1)) / UVec3::new(4, 4, 2);
+        let brick = cell / UVec3::new(4, 4, 2);
+        let first = self.grid.word_offsets().0[level as usize];
+        let word = first + (brick.z * bricks.y + brick.y) * bricks.x + brick.x;
+        (word as usize, (cell.z & 1) * 16 + (cell.y & 3) * 4 + (cell.x & 3))
+    }
+
+    /// Whether a cell's bit is set.
+    pub fn is_set(&self, cell: UVec3, level: u32) -> bool {
+        let (word, bit) = self.place(cell, level);
+        self.occupancy[word] >> bit & 1 == 1
+    }
+
+    /// The cells listed for a level.
+    pub fn listed(&self, level: u32) -> Vec<UVec3> {
+        let Run { first, count, .. } = self.levels[level as usize];
+        let run = &self.cells[first as usize..(first + count) as usize];
+        run.iter().map(|word| UVec3::new(word & 1023, word >> 10 & 1023, word >> 20)).collect()
+    }
+
+    /// The attribute sums of each occupied voxel.
+    pub fn voxels(&self) -> impl Iterator<Item = &[u32]> {
+        let count = self.levels[0].count as usize;
+        let stride = if count == 0 { 1 } else { self.attributes.len() / count };
+        self.attributes.chunks_exact(stride).take(count)
+    }
+
+    /// A scene's triangles in voxel coordinates, from the same `f32` positions that the device gets.
+    pub fn triangles(&self, scene: &Scene) -> Vec<[DVec3; 3]> {
+        let geometry = Geometry::new(scene, self.grid.centre);
+        let (low, size) = (self.grid.min().as_dvec3(), f64::from(self.grid.voxel_size));
+        let place = |i: u32| (geometry.positions[i as usize].as_dvec3() - low) / size;
+        geometry.triangles.iter().map(|triangle| triangle.map(place)).collect()
+    }
+}
