@@ -62,7 +62,8 @@ impl PlanArgs {
     }
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+/// Width and height of an image.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let sides =
         text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
     sides.ok_or_else(|| "two whole numbers with an `x` between them, such as 640x360".into())

@@ -2,6 +2,7 @@
 
 use voxlume::wgpu::{AdapterInfo, DeviceType};
 use voxlume::{Error, Gpu};
+use voxlume_report::Device;
 
 use crate::failure::Failure;
 use crate::table::Table;
@@ -30,8 +31,13 @@ pub fn run(_: &Args) -> Result<(), Failure> {
     crate::print(&table.to_string())
 }
 
+/// What results say of a device.
+pub fn describe(info: &AdapterInfo) -> Device {
+    Device { name: info.name.clone(), kind: kind(info).to_owned(), driver: driver(info) }
+}
+
 /// What sort of device it is, in words.
-pub fn kind(info: &AdapterInfo) -> &'static str {
+fn kind(info: &AdapterInfo) -> &'static str {
     match info.device_type {
         DeviceType::Cpu => "software device",
         DeviceType::DiscreteGpu => "discrete GPU",
@@ -42,6 +48,6 @@ pub fn kind(info: &AdapterInfo) -> &'static str {
 }
 
 /// The driver's name and version.
-pub fn driver(info: &AdapterInfo) -> String {
+fn driver(info: &AdapterInfo) -> String {
     format!("{} {}", info.driver, info.driver_info).trim().to_owned()
 }

@@ -1,14 +1,18 @@
-//! The program `voxlume`: renders scenes, explains and checks pipelines, lists devices.
+//! The program `voxlume`: renders scenes, compares them with a path tracer, explains and checks pipelines, lists devices.
 
 mod args;
 mod check;
+mod compare;
 mod devices;
+mod effect;
 mod explain;
 mod failure;
+mod interrupt;
 mod outfile;
 mod picture;
 mod pipeline;
 mod progress;
+mod reference;
 mod render;
 mod statistics;
 mod table;
@@ -35,6 +39,7 @@ struct Program {
 const EXAMPLES: &str = "Examples:
   voxlume render scenes/cornell.ron -o cornell.png
   voxlume render scenes/cornell.ron --format sh2 --resolution 64 --repeat 20 -o sh2.png --json sh2.json
+  voxlume compare scenes/cornell.ron --resolutions 32,64 --out cornell
   voxlume explain scenes/cornell.ron
   voxlume check pipelines/gi.ron my_effect.wgsl
 
@@ -43,6 +48,8 @@ Exit codes: 0 done, 1 the work failed, 2 bad input or usage. RUST_LOG=info shows
 #[derive(Subcommand)]
 enum Command {
     Render(render::Args),
+    Compare(compare::Args),
+    Reference(reference::Args),
     Explain(explain::Args),
     Check(check::Args),
     Devices(devices::Args),
@@ -57,6 +64,8 @@ fn main() -> ExitCode {
 
     let done = match &program.command {
         Command::Render(args) => render::run(args),
+        Command::Compare(args) => compare::run(args),
+        Command::Reference(args) => reference::run(args),
         Command::Explain(args) => explain::run(args),
         Command::Check(args) => check::run(args),
         Command::Devices(args) => devices::run(args),

@@ -37,8 +37,7 @@ impl Kind {
         let mut bytes = Cursor::new(Vec::new());
         match self {
             Kind::Png => {
-                let rgb = picture.pixels.iter().flat_map(|pixel| visible(name, *pixel, scale)).collect();
-                let image = RgbImage::from_raw(picture.width, picture.height, rgb)
+                let image = RgbImage::from_raw(picture.width, picture.height, shown(picture, name, scale))
                     .ok_or_else(|| Failure::work("a picture of another size than its pixels"))?;
                 image.write_to(&mut bytes, ImageFormat::Png).map_err(failed)?;
             }
@@ -65,6 +64,11 @@ impl Kind {
 
 fn failed(error: impl std::fmt::Display) -> Failure {
     Failure::work(format!("cannot encode the picture: {error}"))
+}
+
+/// A picture for the eye, three bytes a pixel, as in a PNG.
+pub fn shown(picture: &Picture, name: &str, scale: f32) -> Vec<u8> {
+    picture.pixels.iter().flat_map(|pixel| visible(name, *pixel, scale)).collect()
 }
 
 /// A pixel for the eye. Light is tone-mapped, albedo only encoded; what is no colour is shown as it is.

@@ -46,6 +46,13 @@ impl Progress {
     }
 }
 
+/// A share of a longer piece of work, for [`Progress::repeated`].
+pub fn share(what: &str, done: f32) -> String {
+    const CELLS: usize = 20;
+    let full = (done.clamp(0.0, 1.0) * CELLS as f32) as usize;
+    format!("{what} [{}{}] {:3.0} %", "#".repeat(full), " ".repeat(CELLS - full), done * 100.0)
+}
+
 impl Drop for Progress {
     fn drop(&mut self) {
         if let Some(spinner) = &self.spinner {

@@ -7,11 +7,12 @@ use voxlume::{Camera, Fault, Gpu, Passes, Renderer, Scene};
 use voxlume_fault::suggest;
 
 use crate::args::PlanArgs;
+use crate::devices;
 use crate::failure::Failure;
 use crate::outfile::{self, OutFile};
 use crate::picture::Kind;
 use crate::progress::Progress;
-use crate::timing::{Device, Frames, Report, Resource};
+use crate::timing::{Frames, Report, Resource};
 
 /// Render a scene to PNG and EXR, and tell what it cost
 ///
@@ -107,7 +108,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     crate::print(&report.tables(&frames))
 }
 
-fn camera<'s>(scene: &'s Scene, name: Option<&str>) -> Result<&'s Camera, Fault> {
+/// The camera of that name, or the first one.
+pub fn camera<'s>(scene: &'s Scene, name: Option<&str>) -> Result<&'s Camera, Fault> {
     let names = scene.cameras.iter().map(|camera| camera.name.as_str());
     let found = match name {
         Some(name) => scene.cameras.iter().find(|camera| camera.name == name),
@@ -121,7 +123,7 @@ fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) ->
     let plan = renderer.plan();
     Report {
         schema: 1,
-        device: Device::new(&gpu.info),
+        device: devices::describe(&gpu.info),
         scene: scene.name.clone(),
         format: plan.format.clone(),
         encoding: plan.encoding.name().into(),

@@ -1,10 +1,9 @@
 //! What a run cost, as a table and as JSON.
 
 use serde::Serialize;
-use voxlume::wgpu::AdapterInfo;
 use voxlume::{Clock, PassTime};
+use voxlume_report::{Device, Pass};
 
-use crate::devices;
 use crate::statistics::median_and_spread;
 use crate::table::Table;
 
@@ -31,25 +30,6 @@ pub struct Report {
     pub resources: Vec<Resource>,
     /// Voxels that a triangle touches.
     pub occupied_voxels: u64,
-}
-
-/// A device.
-#[derive(Debug, Serialize)]
-pub struct Device {
-    name: String,
-    #[serde(rename = "type")]
-    kind: &'static str,
-    driver: String,
-}
-
-/// A pass's time over the frames.
-#[derive(Debug, Serialize)]
-pub struct Pass {
-    name: String,
-    median_ms: f64,
-    /// Interquartile range.
-    spread_ms: f64,
-    clock: &'static str,
 }
 
 /// A resource's size.
@@ -92,7 +72,7 @@ impl Frames {
                     Clock::Gpu => "gpu",
                     Clock::Wall => "wall",
                 };
-                Pass { name: pass.name.clone(), median_ms, spread_ms, clock }
+                Pass { name: pass.name.clone(), median_ms, spread_ms, clock: clock.to_owned() }
             })
             .collect()
     }
@@ -105,20 +85,13 @@ impl Frames {
     }
 }
 
-impl Device {
-    /// Of an adapter.
-    pub fn new(info: &AdapterInfo) -> Device {
-        Device { name: info.name.clone(), kind: devices::kind(info), driver: devices::driver(info) }
-    }
-}
-
 impl Report {
     /// The tables that `render` prints.
     pub fn tables(&self, frames: &Frames) -> String {
         let Device { name, kind, driver } = &self.device;
         let (format, encoding, n, occupied) =
             (&self.format, &self.encoding, self.resolution, self.occupied_voxels);
-        let clock = match self.passes.first().map(|pass| pass.clock) {
+        let clock = match self.passes.first().map(|pass| pass.clock.as_str()) {
             Some("gpu") => "the device's timestamps",
             _ => "the host's clock, as the device has no timestamps to rely on",
         };

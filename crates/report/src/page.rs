@@ -113,7 +113,7 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         let Outcome::Measured { passes: _, total_ms, volume_bytes, error } = &row.outcome else { continue };
         let place = series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
         let note = error.note().map(|note| format!(" ({note})")).unwrap_or_default();
-        let mut push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
+        let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
             list.push(Point {
                 series: place,
                 cost,

@@ -37,7 +37,7 @@ fn sample_harmonics(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     let lobe = (abs(more.x) + abs(more.y) + abs(more.z)) / 6.0;
     let mean = mean_opacity(alpha);
     let unit = SH0 * LOBE0 * mean - SH1 * LOBE1 * lobe * dot(direction, more) / max(length(more), 1e-6);
-    return vec4f(max(radiance, vec3f(0.0)) / max(unit, 0.1 * mean + 1e-6) * opacity, opacity);
+    return vec4f(max(radiance, vec3f(0.0)) / max(unit, 0.35 * mean + 1e-6) * opacity, opacity);
 }
 
 // Level 0 is the same from all sides. Level 1 says from which it is seen at all: where that is a quarter or more,

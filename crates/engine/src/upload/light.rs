@@ -9,16 +9,16 @@ use voxlume_scene::{EmissivePolygon, Light as SceneLight, LightKind, Scene};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct Light {
-    position: Vec3,
-    kind: u32,
-    intensity: Vec3,
-    size: f32,
-    direction: Vec3,
-    shadow_layer: i32,
-    falloff: Vec2,
-    area: f32,
-    padding: f32,
-    corners: [Vec4; 4],
+    pub(super) position: Vec3,
+    pub(super) kind: u32,
+    pub(super) intensity: Vec3,
+    pub(super) size: f32,
+    pub(super) direction: Vec3,
+    pub(super) shadow_layer: i32,
+    pub(super) falloff: Vec2,
+    pub(super) area: f32,
+    pub(super) padding: f32,
+    pub(super) corners: [Vec4; 4],
 }
 
 const DIRECTIONAL: u32 = 0;

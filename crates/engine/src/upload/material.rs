@@ -7,17 +7,17 @@ use voxlume_scene::{Scene, TextureRef};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct Material {
-    base_color: Vec4,
-    emission: Vec3,
-    alpha_cutoff: f32,
-    metallic: f32,
-    roughness: f32,
-    normal_scale: f32,
-    double_sided: u32,
-    base_color_layer: i32,
-    metallic_roughness_layer: i32,
-    normal_layer: i32,
-    emission_layer: i32,
+    pub(super) base_color: Vec4,
+    pub(super) emission: Vec3,
+    pub(super) alpha_cutoff: f32,
+    pub(super) metallic: f32,
+    pub(super) roughness: f32,
+    pub(super) normal_scale: f32,
+    pub(super) double_sided: u32,
+    pub(super) base_color_layer: i32,
+    pub(super) metallic_roughness_layer: i32,
+    pub(super) normal_layer: i32,
+    pub(super) emission_layer: i32,
 }
 
 /// `layers` gives each texture's layer in the array of its class, colour or data.

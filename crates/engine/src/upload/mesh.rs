@@ -7,11 +7,11 @@ use voxlume_scene::Geometry;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct Vertex {
-    position: Vec3,
-    material: u32,
-    normal: u32,
-    tangent: u32,
-    uv: Vec2,
+    pub(super) position: Vec3,
+    pub(super) material: u32,
+    pub(super) normal: u32,
+    pub(super) tangent: u32,
+    pub(super) uv: Vec2,
 }
 
 pub(crate) fn vertices(geometry: &Geometry) -> Vec<Vertex> {

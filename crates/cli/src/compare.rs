@@ -1,0 +1,82 @@
+//! `voxlume compare`.
+
+mod cell;
+mod folder;
+mod measure;
+mod report;
+mod sweep;
+mod truth;
+
+use std::path::PathBuf;
+
+use crate::args::size;
+use crate::failure::Failure;
+
+/// Hold effects against a path tracer: what each storage format costs, and how wrong it is
+///
+/// For every scene, effect, format, encoding and resolution: the time of each pass, the bytes of the volume, and
+/// RMSE, relative MSE, signed bias, 99th percentile and FLIP against the reference. Writes results.json, results.csv,
+/// report.html (one page, works offline) and images/ into the folder --out. A cell that is finished there is not
+/// run again unless something that decides it has changed.
+///
+/// Compared are pixels in which both show a surface; emitters count only in `final`. The reference looks
+/// through pixels' centres, as the renderer does, and reflects as glTF says.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  voxlume compare scenes/cornell.ron --out cornell
+  voxlume compare scenes/cornell.ron --formats isotropic,sh2 --resolutions 64 --effects diffuse,final --out two
+  voxlume compare scenes/*.ron --spp 2048 --repeat 20 --out all")]
+pub struct Args {
+    /// Scene files: .ron, .gltf or .glb
+    #[arg(value_name = "SCENE", required = true)]
+    scenes: Vec<PathBuf>,
+
+    /// Storage formats with commas between, or all
+    #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
+    formats: Vec<String>,
+
+    /// Texel encodings with commas between, or all; the pipeline's unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    encodings: Vec<String>,
+
+    /// Voxels along the grid's side
+    #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
+    resolutions: Vec<u32>,
+
+    /// Effects with commas between, or all that a scene has: soft_shadow, ambient_occlusion, diffuse, specular, final
+    #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
+    effects: Vec<String>,
+
+    /// Camera of every scene; the first one unless given
+    #[arg(long, value_name = "NAME")]
+    camera: Option<String>,
+
+    /// Width and height of the images in pixels
+    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
+    size: [u32; 2],
+
+    /// The reference's samples of each pixel
+    #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u32).range(2..))]
+    spp: u32,
+
+    /// Frames to time, after one of warm-up
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    repeat: u32,
+
+    /// Part of the name of the graphics device to use; see `voxlume devices`
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+
+    /// Name of a built-in pipeline (gi), or a .ron file
+    #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
+    pipeline: String,
+
+    /// Folder for the results; made if it isn't there
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    sweep::run(args)
+}

@@ -1,0 +1,151 @@
+//! The cells of a sweep.
+
+use std::path::{Path, PathBuf};
+
+use voxlume::{Camera, Encoding, Fault, Faults, Formats, Grid, Pipeline, Scene, SceneFacts, one_of};
+use voxlume_fault::suggest;
+use voxlume_reference::cache::SceneDigest;
+
+use super::Args;
+use crate::effect::Effect;
+use crate::failure::Failure;
+use crate::render::camera;
+
+/// A scene of the sweep.
+pub struct Subject {
+    /// Its name in the results and in files' names; unique.
+    pub label: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Its content's hash.
+    pub digest: SceneDigest,
+    /// What a plan needs of it.
+    pub facts: SceneFacts,
+    /// The eye.
+    pub camera: Camera,
+}
+
+/// One comparison.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    /// In the list of subjects.
+    pub subject: usize,
+    pub effect: Effect,
+    pub format: String,
+    pub encoding: String,
+    pub resolution: u32,
+}
+
+impl Cell {
+    /// The stem of its files.
+    pub fn stem(&self, subjects: &[Subject]) -> String {
+        let Cell { subject, effect, format, encoding, resolution } = self;
+        format!("{}-{}-{format}-{encoding}-{resolution}", subjects[*subject].label, effect.name())
+    }
+}
+
+/// Loads the scenes, and finds out which cells there are.
+pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
+    let mut faults = Faults::default();
+    let formats = Formats::builtin();
+    let format_names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
+    let formats = words("storage format", &args.formats, &format_names, &mut faults);
+    let encodings = if args.encodings.is_empty() {
+        vec![pipeline.encoding.value.clone()]
+    } else {
+        words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
+    };
+    let all_effects = Effect::ALL.map(Effect::name);
+    let effects = words("effect", &args.effects, &all_effects, &mut faults);
+    let effects: Vec<Effect> =
+        Effect::ALL.into_iter().filter(|effect| effects.iter().any(|word| word == effect.name())).collect();
+    for resolution in args.resolutions.iter().filter(|n| !Grid::RESOLUTIONS.contains(n)) {
+        let choices = Grid::RESOLUTIONS.map(|n| n.to_string());
+        let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
+        faults.push(fault.note(one_of(choices.iter().map(String::as_str))));
+    }
+    let subjects = subjects(args, &mut faults);
+    if !faults.is_empty() {
+        return Err(faults.into());
+    }
+
+    let mut cells = Vec::new();
+    for (subject, Subject { facts, .. }) in subjects.iter().enumerate() {
+        for &effect in &effects {
+            if !effect.applies(facts) || effect.image(pipeline).is_none() {
+                continue;
+            }
+            for format in &formats {
+                for encoding in &encodings {
+                    cells.extend(args.resolutions.iter().map(|&resolution| Cell {
+                        subject,
+                        effect,
+                        format: format.clone(),
+                        encoding: encoding.clone(),
+                        resolution,
+                    }));
+                }
+            }
+        }
+    }
+    if cells.is_empty() {
+        let fault = Fault::new("nothing to compare: no scene and the pipeline have one of these effects");
+        return Err(fault.note(one_of(effects.iter().map(|effect| effect.name()))).into());
+    }
+    Ok((subjects, cells))
+}
+
+/// The words, each once, or all that there are.
+fn words(what: &str, given: &[String], known: &[&str], faults: &mut Faults) -> Vec<String> {
+    if given == ["all"] {
+        return known.iter().map(|word| (*word).to_owned()).collect();
+    }
+    let mut words: Vec<String> = Vec::new();
+    for word in given {
+        if !known.contains(&word.as_str()) {
+            let label = suggest(word, known.iter().copied());
+            faults.push(Fault::new(format!("unknown {what} `{word}`")).note(format!("{label}, or all")));
+        } else if !words.contains(word) {
+            words.push(word.clone());
+        }
+    }
+    words
+}
+
+fn subjects(args: &Args, faults: &mut Faults) -> Vec<Subject> {
+    let mut subjects: Vec<Subject> = Vec::new();
+    for (path, label) in args.scenes.iter().zip(labels(&args.scenes)) {
+        if subjects.iter().any(|subject| subject.label == label) {
+            faults.push(Fault::new(format!("scene `{}` is given twice", path.display())));
+            continue;
+        }
+        let Some(scene) = faults.gather(Scene::load(path)) else { continue };
+        let Some(camera) = faults.gather(camera(&scene, args.camera.as_deref()).cloned()) else { continue };
+        let (digest, facts) = (SceneDigest::of(&scene), SceneFacts::of(&scene));
+        subjects.push(Subject { label, scene, digest, facts, camera });
+    }
+    subjects
+}
+
+/// Names of scenes for files: their stems, or where two are the same their paths.
+fn labels(paths: &[PathBuf]) -> Vec<String> {
+    let plain = |text: &str| -> String {
+        text.chars().map(|c| if c.is_alphanumeric() || ".-_".contains(c) { c } else { '_' }).collect()
+    };
+    let stem = |path: &Path| plain(&path.file_stem().unwrap_or_default().to_string_lossy());
+    let alone = |path: &Path| paths.iter().filter(|other| stem(other) == stem(path)).count() == 1;
+    let label = |path: &PathBuf| if alone(path) { stem(path) } else { plain(&path.to_string_lossy()) };
+    paths.iter().map(label).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_of_one_name_are_told_apart_by_their_paths() {
+        let labels = |paths: &[&str]| labels(&paths.iter().map(PathBuf::from).collect::<Vec<_>>());
+        assert_eq!(labels(&["a/box.ron", "b/my room.glb"]), ["box", "my_room"]);
+        assert_eq!(labels(&["a/box.ron", "b/box.glb"]), ["a_box.ron", "b_box.glb"]);
+    }
+}

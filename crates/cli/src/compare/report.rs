@@ -1,0 +1,74 @@
+//! An image held against its reference, with the pictures that show it.
+
+use voxlume::{Fault, Picture};
+use voxlume_reference::Seen;
+use voxlume_report::{Comparison, Errors, Shown, png, signed_error};
+
+use super::measure::Measured;
+use super::truth::Truth;
+use crate::effect::Effect;
+use crate::failure::Failure;
+use crate::picture::{Kind, shown};
+
+/// Figures and pictures of a cell.
+pub struct Judged {
+    pub errors: Errors,
+    /// PNG and EXR of the image, PNG and EXR of the reference, PNG of the error.
+    pub files: [Vec<u8>; 5],
+    /// The error whose colour is full.
+    pub error_scale: f64,
+}
+
+/// Compares the pixels in which both show a surface; emitters only in the whole image.
+pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judged, Failure> {
+    let image = own(effect, &measured.picture);
+    let Picture { width, height, .. } = image;
+    let reference = Picture {
+        width,
+        height,
+        pixels: truth.picture.mean.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect(),
+    };
+    let counts = |(seen, surface): (&Seen, &bool)| {
+        *surface && (*seen == Seen::Surface || (*seen == Seen::Emitter && effect == Effect::Final))
+    };
+    let counted: Vec<bool> = truth.seen.iter().zip(&measured.surface).map(counts).collect();
+    let rgb: Vec<[f32; 3]> = image.pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect();
+    let comparison = Comparison {
+        width,
+        height,
+        image: &rgb,
+        reference: &truth.picture.mean,
+        standard_error: &truth.picture.standard_error,
+        counted: &counted,
+    };
+    let name = effect.shown_as();
+    let (image_rgb, reference_rgb) = (shown(&image, name, 1.0), shown(&reference, name, 1.0));
+    let errors = comparison
+        .errors(&Shown { image: &image_rgb, reference: &reference_rgb })
+        .map_err(|error| Failure::Work(Fault::new(error.to_string())))?;
+
+    // Half of the reference's mean is full colour, so that cells can be compared by eye.
+    let values = reference.pixels.iter().zip(&counted).filter(|(_, counts)| **counts);
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), (pixel, _)| {
+        (sum + pixel[..3].iter().map(|value| f64::from(*value)).sum::<f64>() / 3.0, count + 1.0)
+    });
+    let error_scale = 0.5 * sum / count;
+    let encoded = |rgb| png(width, height, rgb).map_err(|error| Failure::work(error.to_string()));
+    let files = [
+        encoded(image_rgb)?,
+        Kind::Exr.encode(&image, name, 1.0)?,
+        encoded(reference_rgb)?,
+        Kind::Exr.encode(&reference, name, 1.0)?,
+        encoded(signed_error(&comparison, error_scale))?,
+    ];
+    Ok(Judged { errors, files, error_scale })
+}
+
+/// The effect's values in all three channels: a share's other channels may be those of other lights.
+fn own(effect: Effect, picture: &Picture) -> Picture {
+    let mut picture = picture.clone();
+    if effect.is_share() {
+        picture.pixels.iter_mut().for_each(|[r, g, b, _]| (*g, *b) = (*r, *r));
+    }
+    picture
+}

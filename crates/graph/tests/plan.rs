@@ -1,0 +1,170 @@
+//! Plans: their order, and what they leave out.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use std::path::Path;
+
+use common::{PIPELINE, plan, request, rich};
+use insta::assert_snapshot;
+use voxlume_format::Formats;
+use voxlume_graph::{Pipeline, Plan, Request, SceneFacts, Value, explain};
+use voxlume_scene::Scene;
+
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+fn gi() -> Pipeline {
+    Pipeline::load(&root().join("pipelines/gi.ron")).unwrap()
+}
+
+fn names(plan: &Plan) -> Vec<&str> {
+    plan.passes.iter().map(|pass| pass.name.as_str()).collect()
+}
+
+fn gi_for(facts: &SceneFacts, request: &Request) -> Plan {
+    plan(&gi(), facts, request).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+/// Why a pass was left out.
+fn why<'p>(plan: &'p Plan, pass: &str) -> &'p str {
+    let what = format!("pass `{pass}`");
+    plan.left_out.iter().find(|item| item.what == what).map_or("it was not left out", |item| &item.why)
+}
+
+/// Every pass comes after those that make what it reads.
+fn is_in_order(plan: &Plan) {
+    for (index, pass) in plan.passes.iter().enumerate() {
+        for read in &pass.reads {
+            let last = plan.passes.iter().rposition(|other| other.name != pass.name && other.writes.contains(read));
+            assert!(last.is_none_or(|last| last < index || pass.writes.contains(read)), "{} reads {read}", pass.name);
+        }
+    }
+}
+
+#[test]
+fn order_follows_from_reads_and_writes() {
+    let mut pipeline = common::pipeline(PIPELINE);
+    let expected = plan(&pipeline, &rich(), &request()).unwrap();
+    assert_eq!(
+        names(&expected),
+        ["voxelize", "shadow_maps", "light", "filter", "bounce", "gbuffer", "diffuse", "specular", "composite"]
+    );
+    let count = pipeline.passes.len();
+    // Every rotation, forwards and backwards.
+    for turn in 0..2 * count {
+        pipeline.passes.rotate_left(1);
+        if turn == count {
+            pipeline.passes.reverse();
+        }
+        let shuffled = plan(&pipeline, &rich(), &request()).unwrap();
+        is_in_order(&shuffled);
+        let sorted = |plan: &Plan| {
+            let mut passes: Vec<_> =
+                plan.passes.iter().map(|pass| (pass.name.clone(), pass.steps.len(), pass.once)).collect();
+            passes.sort();
+            passes
+        };
+        assert_eq!(sorted(&shuffled), sorted(&expected), "turned by {turn}");
+        let position = |name: &str| names(&shuffled).iter().position(|other| *other == name).unwrap();
+        // An update comes between the pass that makes a thing and those that read it.
+        assert!(position("filter") < position("bounce") && position("bounce") < position("diffuse"));
+    }
+}
+
+#[test]
+fn everything_is_planned_where_everything_is_needed() {
+    let mut request = request();
+    request.set = vec![
+        ("bounce".into(), "bounces".into(), Value::Number(2.0)),
+        ("composite".into(), "ao_weight".into(), Value::Number(1.0)),
+    ];
+    for format in Formats::builtin().iter() {
+        request.format = Some(format.name().into());
+        for resolution in [16, 64, 512] {
+            request.resolution = Some(resolution);
+            let lit_by_polygons = gi_for(&rich(), &request);
+            is_in_order(&lit_by_polygons);
+            let without_emission: Vec<&str> = gi().passes.iter().map(|p| p.name.clone()).filter(|n| n != "emission").map(|n| &*n.leak()).collect();
+            let mut planned = names(&lit_by_polygons);
+            planned.sort_unstable();
+            let mut all = without_emission;
+            all.sort_unstable();
+            assert_eq!(planned, all, "{}", format.name());
+            let gathered = gi_for(&SceneFacts { polygons: None, ..rich() }, &request);
+            is_in_order(&gathered);
+            assert_eq!(gathered.passes.len(), gi().passes.len(), "{}", format.name());
+        }
+    }
+}
+
+#[test]
+fn without_lights_no_shadows() {
+    let dark = SceneFacts { directional: 0, point: 0, spot: 0, polygons: Some(0), emissive: false, ..rich() };
+    let plan = gi_for(&dark, &request());
+    assert!(!names(&plan).contains(&"soft_shadow") && !names(&plan).contains(&"shadow_maps"));
+    assert_eq!(why(&plan, "soft_shadow"), "the scene has no light");
+    assert_eq!(why(&plan, "shadow_maps"), "the scene has no directional, spot or point light");
+}
+
+#[test]
+fn without_gloss_no_specular() {
+    let plan = gi_for(&SceneFacts { glossy: false, ..rich() }, &request());
+    assert!(!names(&plan).contains(&"specular"));
+    assert_eq!(why(&plan, "specular"), "no material is glossy");
+    assert!(gi_for(&rich(), &request()).resource("specular").is_some());
+    assert!(plan.resource("specular").is_none());
+}
+
+#[test]
+fn what_nobody_asks_for_is_left_out() {
+    let plan = gi_for(&rich(), &Request { output: Some("normal".into()), ..request() });
+    assert_eq!(names(&plan), ["gbuffer"]);
+    assert_eq!(why(&plan, "voxelize"), "nobody reads what it makes");
+    let images: Vec<&str> = plan.resources.iter().map(|r| r.name.as_str()).collect();
+    for image in ["albedo", "geometry", "emission", "occupancy", "volume"] {
+        assert!(!images.contains(&image), "{image} in {images:?}");
+    }
+}
+
+#[test]
+fn parameters_of_zero_leave_passes_out() {
+    let set = |pass: &str, name: &str, value: f64| Request {
+        set: vec![(pass.into(), name.into(), Value::Number(value))],
+        ..request()
+    };
+    let none = gi_for(&rich(), &set("composite", "ao_weight", 0.0));
+    assert_eq!((names(&none).contains(&"ambient_occlusion"), why(&none, "ambient_occlusion")), (false, "`ao_weight` is 0"));
+    assert!(names(&gi_for(&rich(), &set("composite", "ao_weight", 0.5))).contains(&"ambient_occlusion"));
+    let none = gi_for(&rich(), &set("bounce", "bounces", 0.0));
+    assert_eq!((names(&none).contains(&"bounce"), why(&none, "bounce")), (false, "`bounces` is 0"));
+    assert!(names(&gi_for(&rich(), &set("bounce", "bounces", 1.0))).contains(&"bounce"));
+    // It may still be asked for by itself.
+    let ao = gi_for(&rich(), &Request { output: Some("ao".into()), ..set("composite", "ao_weight", 0.0) });
+    assert!(names(&ao).contains(&"ambient_occlusion"));
+}
+
+#[test]
+fn what_nothing_moves_runs_once() {
+    let once = |moving| {
+        let plan = gi_for(&SceneFacts { moving, ..rich() }, &request());
+        plan.passes.iter().find(|pass| pass.name == "voxelize").unwrap().once
+    };
+    assert_eq!((once(false), once(true)), (true, false));
+}
+
+#[test]
+fn voxel_rays_need_no_shadow_maps() {
+    let set = vec![("light".into(), "occlusion".into(), Value::Word("voxel_ray".into()))];
+    let plan = gi_for(&rich(), &Request { set, ..request() });
+    assert_eq!((names(&plan).contains(&"shadow_maps"), why(&plan, "shadow_maps")), (false, "occlusion is by voxel ray"));
+}
+
+#[test]
+fn the_cornell_box_explained() {
+    let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
+    let request = Request { resolution: Some(128), ..Request::image(512, 512) };
+    let plan = gi_for(&SceneFacts::of(&scene), &request);
+    assert_snapshot!(explain(&plan), @"");
+}

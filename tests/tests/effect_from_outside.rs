@@ -1,0 +1,71 @@
+//! A new effect is a WGSL file and an entry in a pipeline: no Rust.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use voxlume::{Formats, Pipeline, Request, Value};
+use voxlume_tests::{built_in, picture, render};
+
+/// How thick what is behind the surface is: a cone into it, through the shared tracer.
+const THICKNESS: &str = "
+import package::common::cone::{Cone, ConeSettings, STEPPER_SPHERES, cone_trace};
+import package::common::surface::Surface;
+
+struct Params {
+    /// Full angle of the cone, (0, 3.1416].
+    aperture: f32,
+    /// How far it looks, voxels, (0, 1000].
+    depth: f32,
+}
+
+fn effect(surface: Surface, params: Params) -> vec4f {
+    let sine = sin(params.aperture / 2.0);
+    let cone = Cone(surface.position_voxel, -surface.normal_geometric, sine, 2.0, params.depth, 1e30, 0.0, 1e30);
+    let value = cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0);
+    return vec4f(vec3f(value.a), 1.0);
+}
+";
+
+const PIPELINE: &str = r#"(
+    format: "isotropic",
+    encoding: "rgba16float",
+    resolution: 32,
+    separability: "conservative",
+    output: "thickness",
+    passes: [
+        (run: "voxelize", writes: ["voxels"]),
+        (run: "light", reads: ["voxels"], writes: ["radiance"], params: (occlusion: "voxel_ray", emission: "area_lights", bias: 1.5)),
+        (run: "filter", reads: ["voxels", "radiance"], writes: ["volume"]),
+        (run: "gbuffer", writes: ["surface"]),
+        (run: "mine/thickness.wgsl", reads: ["surface", "volume"], writes: ["thickness"], params: (aperture_deg: 40, depth: 12)),
+    ],
+)
+"#;
+
+#[test]
+fn an_effect_from_a_file_runs_with_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("mine")).unwrap();
+    std::fs::write(folder.path().join("mine/thickness.wgsl"), THICKNESS).unwrap();
+    let file = folder.path().join("thickness.ron");
+    std::fs::write(&file, PIPELINE).unwrap();
+    let pipeline = Pipeline::load(&file).unwrap();
+    let scene = built_in("lights.ron");
+    for format in Formats::builtin().iter() {
+        let mean = |aperture: Option<f64>| {
+            let set = aperture.map(|a| ("thickness".into(), "aperture_deg".into(), Value::Number(a)));
+            let request = Request {
+                format: Some(format.name().into()),
+                set: set.into_iter().collect(),
+                ..Request::image(24, 16)
+            };
+            let picture = picture(&render(&pipeline, &scene, &request), "thickness");
+            assert!(picture.pixels.iter().flatten().all(|value| value.is_finite()), "{}", format.name());
+            let of = |pick: fn(f32, f32) -> f32| picture.pixels.iter().map(|p| p[0]).reduce(pick).unwrap();
+            let (low, high) = (of(f32::min), of(f32::max));
+            println!("{}: from {low} to {high}", format.name());
+            assert!(low >= 0.0 && high <= 1.0 && high - low > 0.1, "{}: {low} to {high}", format.name());
+            picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / picture.pixels.len() as f64
+        };
+        // The parameter arrives.
+        assert!((mean(None) - mean(Some(5.0))).abs() > 1e-3, "{}", format.name());
+    }
+}

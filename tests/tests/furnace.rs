@@ -1,0 +1,72 @@
+//! The closed furnace: a box whose inside emits 1 and reflects, seen from inside.
+//!
+//! Emission is gathered once by the voxels, each of which reflects its albedo ρ of it; so whatever looks at the
+//! walls sees 1 + ρ, and irradiance is π times that.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::f64::consts::PI;
+
+use voxlume::{Formats, Passes, Renderer, Request, Scene, Value};
+use voxlume_tests::{built_in, gi, gpu, picture, plan_for};
+
+/// What a voxel of base colour 0.5 reflects in all: 0.96 · 0.5 of the diffuse part, 0.04 of the specular one.
+const ALBEDO: f64 = 0.96 * 0.5 + 0.04;
+const TOLERANCE: f64 = 0.02;
+
+fn renderer(scene: &Scene, format: &str, bounces: f64) -> Renderer<'static> {
+    let request = Request {
+        format: Some(format.into()),
+        resolution: Some(64),
+        output: Some("diffuse".into()),
+        set: vec![
+            ("light".into(), "emission".into(), Value::Word("gather".into())),
+            ("bounce".into(), "bounces".into(), Value::Number(bounces)),
+        ],
+        ..Request::image(32, 32)
+    };
+    Renderer::new(gpu(), plan_for(&gi(), scene, &request), scene).unwrap()
+}
+
+/// Means of irradiance/π over the image from each of the scene's cameras.
+fn means(renderer: &mut Renderer<'_>, scene: &Scene) -> Vec<(String, f64)> {
+    let mut means = Vec::new();
+    for camera in &scene.cameras {
+        renderer.render(scene, camera, Passes::Changed).unwrap();
+        let picture = picture(renderer, "diffuse");
+        let values = || picture.pixels.iter().map(|p| (f64::from(p[0]) + f64::from(p[1]) + f64::from(p[2])) / 3.0 / PI);
+        assert!(values().all(f64::is_finite));
+        let mean = values().sum::<f64>() / picture.pixels.len() as f64;
+        let (low, high) = values().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
+        println!("  {}: mean {mean:.4}, from {low:.4} to {high:.4}", camera.name);
+        means.push((camera.name.clone(), mean));
+    }
+    means
+}
+
+fn check(bounces: u32) {
+    let scene = built_in("furnace.ron");
+    assert!(scene.cameras.len() > 1);
+    // Σ ρⁱ over the gathering itself and each bounce.
+    let expected: f64 = (0..=bounces as i32 + 1).map(|i| ALBEDO.powi(i)).sum();
+    let mut off = Vec::new();
+    for format in Formats::builtin().iter() {
+        println!("{}, bounces: {bounces}, expected {expected:.4}", format.name());
+        for (camera, mean) in means(&mut renderer(&scene, format.name(), bounces.into()), &scene) {
+            if (mean / expected - 1.0).abs() > TOLERANCE {
+                let percent = (mean / expected - 1.0) * 100.0;
+                off.push(format!("{}, {camera}: {mean:.4} ({percent:+.1} %)", format.name()));
+            }
+        }
+    }
+    assert!(off.is_empty(), "irradiance/π should be {expected:.4}:\n{}", off.join("\n"));
+}
+
+#[test]
+fn irradiance_is_that_of_the_closed_form() {
+    check(0);
+}
+
+#[test]
+fn irradiance_with_a_bounce_is_that_of_the_closed_form() {
+    check(1);
+}
