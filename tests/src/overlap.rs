@@ -139,10 +139,17 @@ fn thin_along(triangle: &[DVec3; 3], cell: IVec3, axis: usize, epsilon: f64) -> 
         let facing = normal[k] / size;
         if facing.abs() < 1e-5 {
             // Seen edge-on, rounding decides which way the triangle turns.
-            and(within_edges(&corners, middle, 1.0, -epsilon) && within_edges(&corners, middle, -1.0, -epsilon), true);
+            and(
+                within_edges(&corners, middle, 1.0, -epsilon)
+                    && within_edges(&corners, middle, -1.0, -epsilon),
+                true,
+            );
         } else {
             let sign = facing.signum();
-            and(within_edges(&corners, middle, sign, -epsilon), within_edges(&corners, middle, sign, epsilon));
+            and(
+                within_edges(&corners, middle, sign, -epsilon),
+                within_edges(&corners, middle, sign, epsilon),
+            );
         }
     }
     decision

@@ -33,7 +33,12 @@ pub fn add(scene: &mut Scene, mesh: Mesh) {
 
 /// Adds a mesh, placed by a transform.
 pub fn place(scene: &mut Scene, mesh: Mesh, transform: DAffine3) {
-    scene.instances.push(Instance { name: mesh.name.clone(), mesh: scene.meshes.len(), transform, moving: false });
+    scene.instances.push(Instance {
+        name: mesh.name.clone(),
+        mesh: scene.meshes.len(),
+        transform,
+        moving: false,
+    });
     scene.meshes.push(mesh);
 }
 

@@ -46,7 +46,8 @@ impl Substrate {
         };
         // `struct LevelRun` in wgsl/common/grid.wgsl takes eight words.
         let levels = words("levels");
-        let levels = levels.chunks_exact(8).map(|w| Run { groups: [w[0], w[1], w[2]], first: w[3], count: w[4] });
+        let levels =
+            levels.chunks_exact(8).map(|w| Run { groups: [w[0], w[1], w[2]], first: w[3], count: w[4] });
         Substrate {
             grid: renderer.plan().grid.clone(),
             occupancy: words("occupancy"),
@@ -87,7 +88,7 @@ impl Substrate {
     /// The attribute sums of each occupied voxel.
     pub fn voxels(&self) -> impl Iterator<Item = &[u32]> {
         let count = self.levels[0].count as usize;
-        let stride = if count == 0 { 1 } else { self.attributes.len() / count };
+        let stride = self.attributes.len().checked_div(count).unwrap_or(1);
         self.attributes.chunks_exact(stride).take(count)
     }
 

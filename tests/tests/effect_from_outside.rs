@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use voxlume::{Formats, Pipeline, Request, Value};
-use voxlume_tests::{built_in, picture, render};
+use voxlume_tests::{built_in, picture, render, root};
 
 /// How thick what is behind the surface is: a cone into it, through the shared tracer.
 const THICKNESS: &str = "
-import package::common::cone::{Cone, ConeSettings, STEPPER_SPHERES, cone_trace};
+import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
 import package::common::surface::Surface;
 
 struct Params {
@@ -17,28 +17,16 @@ struct Params {
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
-    let sine = sin(params.aperture / 2.0);
-    let cone = Cone(surface.position_voxel, -surface.normal_geometric, sine, 2.0, params.depth, 1e30, 0.0, 1e30);
+    let inwards = -surface.normal_geometric;
+    let cone = surface_cone(surface.position_voxel, inwards, inwards, sin(params.aperture / 2.0), params.depth, 1.0);
     let value = cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0);
     return vec4f(vec3f(value.a), 1.0);
 }
 ";
 
-const PIPELINE: &str = r#"(
-    format: "isotropic",
-    encoding: "rgba16float",
-    resolution: 32,
-    separability: "conservative",
-    output: "thickness",
-    passes: [
-        (run: "voxelize", writes: ["voxels"]),
-        (run: "light", reads: ["voxels"], writes: ["radiance"], params: (occlusion: "voxel_ray", emission: "area_lights", bias: 1.5)),
-        (run: "filter", reads: ["voxels", "radiance"], writes: ["volume"]),
-        (run: "gbuffer", writes: ["surface"]),
-        (run: "mine/thickness.wgsl", reads: ["surface", "volume"], writes: ["thickness"], params: (aperture_deg: 40, depth: 12)),
-    ],
-)
-"#;
+/// Its entry, put before all others of `pipelines/gi.ron`.
+const ENTRY: &str = r#"passes: [
+        (run: "mine/thickness.wgsl", reads: ["surface", "volume"], writes: ["thickness"], params: (aperture_deg: 40, depth: 12)),"#;
 
 #[test]
 fn an_effect_from_a_file_runs_with_every_format() {
@@ -46,7 +34,9 @@ fn an_effect_from_a_file_runs_with_every_format() {
     std::fs::create_dir(folder.path().join("mine")).unwrap();
     std::fs::write(folder.path().join("mine/thickness.wgsl"), THICKNESS).unwrap();
     let file = folder.path().join("thickness.ron");
-    std::fs::write(&file, PIPELINE).unwrap();
+    let gi = std::fs::read_to_string(root().join("pipelines/gi.ron")).unwrap();
+    assert!(gi.contains("passes: ["));
+    std::fs::write(&file, gi.replacen("passes: [", ENTRY, 1)).unwrap();
     let pipeline = Pipeline::load(&file).unwrap();
     let scene = built_in("lights.ron");
     for format in Formats::builtin().iter() {
@@ -54,6 +44,8 @@ fn an_effect_from_a_file_runs_with_every_format() {
             let set = aperture.map(|a| ("thickness".into(), "aperture_deg".into(), Value::Number(a)));
             let request = Request {
                 format: Some(format.name().into()),
+                resolution: Some(32),
+                output: Some("thickness".into()),
                 set: set.into_iter().collect(),
                 ..Request::image(24, 16)
             };

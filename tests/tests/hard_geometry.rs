@@ -60,7 +60,8 @@ fn slivers() {
 fn duplicates() {
     let mut mesh = triangles(&soup(22, 3, SIDE, (5.0, 10.0)));
     // Front and back, each many times.
-    mesh.triangles = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [a, c, b]]).cycle().take(600).collect();
+    mesh.triangles =
+        mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [a, c, b]]).cycle().take(600).collect();
     render_finite("duplicates", with_floor(mesh));
 }
 
@@ -105,7 +106,8 @@ fn far_off_tiny_and_huge_scenes() {
         ("10⁴ wide", DAffine3::from_scale(DVec3::splat(1e4 / SIDE))),
     ] {
         let there = picture_of(transform);
-        let error = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).abs()).sum::<f64>() / 3.0;
+        let error =
+            |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).abs()).sum::<f64>() / 3.0;
         let mean = here.pixels.iter().zip(&there.pixels).map(error).sum::<f64>() / here.pixels.len() as f64;
         println!("{what}: mean difference {mean:.2e}");
         assert!(mean < 5e-3, "{what}: mean difference {mean}");

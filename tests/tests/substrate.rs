@@ -3,8 +3,8 @@
 
 use voxlume::{Pipeline, Request, Scene, Source};
 use voxlume_tests::{
-    Comparison, EPSILON, Random, Separability, Substrate, add, built_in, compare, render, root, sample, scene_of, soup,
-    span, triangles,
+    Comparison, EPSILON, Random, Separability, Substrate, add, built_in, compare, render, root, sample,
+    scene_of, soup, span, triangles,
 };
 
 /// `pipelines/gi.ron` with surfaces of this thickness.
@@ -35,7 +35,9 @@ fn compared(scene: &Scene, resolution: u32, separability: Separability) -> Compa
 fn agrees(what: &str, scene: &Scene, resolution: u32, separability: Separability) {
     let comparison = compared(scene, resolution, separability);
     let Comparison { missing, extra, undecided, overlapped } = &comparison;
-    println!("{what}, {separability:?}, {resolution}³: {overlapped} voxels overlapped, {undecided} undecided");
+    println!(
+        "{what}, {separability:?}, {resolution}³: {overlapped} voxels overlapped, {undecided} undecided"
+    );
     assert!(*overlapped > 100, "{what}: nothing to compare");
     // Else the comparison would say little.
     assert!(*undecided * 10 < *overlapped, "{what}: {undecided} of {overlapped} are undecided");
@@ -133,8 +135,13 @@ fn is_consistent(substrate: &Substrate) {
                         expected.push(cell.to_array());
                     }
                     if level > 0 {
-                        let mut children = (0..8).map(|i| cell * 2 + glam::UVec3::new(i & 1, i >> 1 & 1, i >> 2));
-                        assert_eq!(set, children.any(|c| substrate.is_set(c, level - 1)), "{cell} of level {level}");
+                        let mut children =
+                            (0..8).map(|i| cell * 2 + glam::UVec3::new(i & 1, i >> 1 & 1, i >> 2));
+                        assert_eq!(
+                            set,
+                            children.any(|c| substrate.is_set(c, level - 1)),
+                            "{cell} of level {level}"
+                        );
                     }
                 }
             }
@@ -218,12 +225,19 @@ fn a_million_triangles_in_one_voxel_are_summed_exactly() {
         assert_eq!(u64::from(sums[0]), each(1.0), "weight, {extent}");
         assert_eq!(u64::from(sums[1]), 0, "double-sided weight, {extent}");
         // White reflects all: 0.96 + 0.04.
-        assert_eq!(sums[2..5].iter().map(|s| u64::from(*s)).collect::<Vec<_>>(), [each(1.0); 3], "albedo, {extent}");
+        assert_eq!(
+            sums[2..5].iter().map(|s| u64::from(*s)).collect::<Vec<_>>(),
+            [each(1.0); 3],
+            "albedo, {extent}"
+        );
         // The normal is (−1, −1, 1)/√3; its encoding may cost a unit.
         let normal: Vec<f64> = (0..3).map(|i| f64::from(sums[5 + i]) - f64::from(sums[8 + i])).collect();
         for (sum, sign) in normal.iter().zip([-1.0, -1.0, 1.0]) {
             assert_eq!(sum.abs() as u64 % count as u64, 0, "a sum has wrapped, {extent}");
-            assert!((sum / count as f64 - sign * weight * scale / 3f64.sqrt()).abs() <= 1.0, "{normal:?}, {extent}");
+            assert!(
+                (sum / count as f64 - sign * weight * scale / 3f64.sqrt()).abs() <= 1.0,
+                "{normal:?}, {extent}"
+            );
         }
     }
 }

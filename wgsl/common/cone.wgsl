@@ -1,5 +1,5 @@
 // Voxel cone tracing (RAU §6.1, DVS §4). Lengths are voxels of level 0. A cone composites samples front to
-// back: c += T·c₂, T ·= 1 − α₂ with premultiplied c₂.
+// back: c += T·c₂, T −= T·α₂ with premultiplied c₂ (DVS §4, corrected).
 
 import package::common::frame::frame;
 import package::format::sample::{VOXEL_ONE_SIDED, voxel_sample};
@@ -10,7 +10,7 @@ const STEPPER_SPHERES = 1u;
 const STEPPER_DOUBLING = 2u;
 const COS_30 = 0.8660254;
 // How much of a surface one doubling sample stands for. With 1, the shares of a wall sum to between 0.7 and 2 by how
-// it lies to the samples, and cones leak; a factor, chosen by the least error (see the book's accuracy page).
+// it lies to the samples, and cones leak; a factor, chosen by the least error on the Cornell box.
 const SHARE = 1.4;
 
 struct ConeSettings {
@@ -105,6 +105,10 @@ fn cone_trace(cone: Cone, settings: ConeSettings, falloff: f32) -> vec4f {
     var transmittance = 1.0;
     var before = 1.0;
     var t = cone.start;
+    if (VOXEL_ONE_SIDED && settings.stepper == STEPPER_DOUBLING) {
+        // From level 1 on: what level 0 would find nearer is the surface left.
+        t = max(t, 2.0);
+    }
     for (var i = 0; i < 512 && t < cone.reach && transmittance > 0.004; i++) {
         let s = cone_step(cone, settings, t);
         let p = cone.origin + s.at * cone.direction;

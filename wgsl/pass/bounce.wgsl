@@ -23,6 +23,9 @@ struct Params {
 @group(1) @binding(6) var<storage, read_write> bounced: array<vec4f>;
 
 
+// Without: what is reflected, alone.
+override ADD_DIRECT: bool = true;
+
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
@@ -43,5 +46,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             arriving += (gather_diffuse(p_voxel, normal, settings, params.start).rgb + gather_diffuse(p_voxel, -normal, settings, params.start).rgb) / 6.0;
         }
     }
-    bounced[slot] = vec4f(direct[slot].rgb + surface.albedo / PI * arriving, 1.0);
+    var radiance = surface.albedo / PI * arriving;
+    if (ADD_DIRECT) {
+        radiance += direct[slot].rgb;
+    }
+    bounced[slot] = vec4f(radiance, 1.0);
 }

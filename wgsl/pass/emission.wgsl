@@ -1,4 +1,5 @@
-// What emissive surfaces emit, alone: the first volume, from which voxels gather their light once.
+// What emissive surfaces emit, alone: the first volume, from which voxels gather their light, and past which the
+// sky's, once.
 
 import package::common::attributes::voxel_surface;
 import package::common::voxels::level_cell;

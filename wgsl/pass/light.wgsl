@@ -13,6 +13,8 @@ import package::common::quad::quarter;
 struct Params {
     /// How far over a voxel's centre it looks for the light; 1.5 is over every cell of a plane through it.
     bias: f32,
+    /// 1: a ray to each quarter of an area light; 0: one to its middle, [0, 1].
+    quarters: u32,
 }
 
 @group(3) @binding(0) var<uniform> params: Params;
@@ -20,8 +22,9 @@ struct Params {
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
-// Whether `direct` already holds what emissive surfaces give by the gather.
-override ADD_TO_GATHERED: bool = false;
+// What the voxels reflect of gathered emission; direct light is added to it.
+@group(1) @binding(6) var<storage, read_write> emitted: array<vec4f>;
+override HAS_EMITTED: bool = false;
 
 // How far over a plane of this normal the cells that it touches reach, in voxels.
 fn cell_height(normal: vec3f) -> f32 {
@@ -53,7 +56,7 @@ fn irradiance(p_voxel: vec3f, normal: vec3f) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < frame.light_count; i++) {
         let light = lights[i];
-        if (HAS_AREA && light.kind == LIGHT_AREA) {
+        if (HAS_AREA && light.kind == LIGHT_AREA && params.quarters > 0) {
             let corners = area_corners(light);
             for (var q = 0u; q < 4; q++) {
                 let part = area_incidence(quarter(corners, q), light, position, normal);
@@ -91,11 +94,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             arriving += (irradiance(p_voxel, normal) + irradiance(p_voxel, -normal)) / 6.0;
         }
     }
-    var radiance = surface.albedo / PI * arriving;
-    if (ADD_TO_GATHERED) {
-        radiance += direct[slot].rgb;
-    } else {
-        radiance += surface.emission;
-    }
+    let radiance = surface.emission + surface.albedo / PI * arriving;
     direct[slot] = vec4f(radiance, 1.0);
+    if (HAS_EMITTED) {
+        emitted[slot] = vec4f(radiance + emitted[slot].rgb, 1.0);
+    }
 }

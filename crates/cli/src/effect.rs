@@ -83,7 +83,9 @@ impl Effect {
             Effect::AmbientOcclusion => {
                 let longest = plan.grid.size.into_iter().max().unwrap_or(0) as f32 * plan.grid.voxel_size;
                 let number = |name| number(pipeline, "effect/ambient_occlusion", name);
-                let missing = || Fault::new("the pipeline has no `effect/ambient_occlusion` with `distance` and `falloff`");
+                let missing = || {
+                    Fault::new("the pipeline has no `effect/ambient_occlusion` with `distance` and `falloff`")
+                };
                 let (distance, falloff) = number("distance").zip(number("falloff")).ok_or_else(missing)?;
                 Quantity::AmbientOcclusion {
                     distance: distance as f32 * longest,

@@ -28,7 +28,9 @@ pub enum Error {
     #[error("out of device memory while {0}")]
     OutOfMemory(String),
     /// A buffer would exceed what one binding holds.
-    #[error("`{name}` needs {bytes} bytes for {voxels} occupied voxels; one buffer holds at most {limit}: choose a lower resolution")]
+    #[error(
+        "`{name}` needs {bytes} bytes for {voxels} occupied voxels; one buffer holds at most {limit}: choose a lower resolution"
+    )]
     TooLarge {
         /// The resource.
         name: String,

@@ -106,7 +106,7 @@ impl Gpu {
         let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let value = action();
-        let errors = [validation.pop(), internal.pop()].map(|error| pollster::block_on(error));
+        let errors = [validation.pop(), internal.pop()].map(pollster::block_on);
         let memory = pollster::block_on(memory.pop());
         if memory.is_some() {
             return Err(Error::OutOfMemory(what.to_owned()));

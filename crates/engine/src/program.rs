@@ -123,7 +123,11 @@ fn depth_state(reversed: bool) -> wgpu::DepthStencilState {
     wgpu::DepthStencilState {
         format: wgpu::TextureFormat::Depth32Float,
         depth_write_enabled: Some(true),
-        depth_compare: Some(if reversed { wgpu::CompareFunction::Greater } else { wgpu::CompareFunction::Less }),
+        depth_compare: Some(if reversed {
+            wgpu::CompareFunction::Greater
+        } else {
+            wgpu::CompareFunction::Less
+        }),
         stencil: wgpu::StencilState::default(),
         // Shadow maps lie a little behind the surfaces that cast them, more where those are steep.
         bias: if reversed {
@@ -156,7 +160,11 @@ fn group_count(program: &Program) -> u32 {
     program.binds.iter().map(|bind| bind.group + 1).max().unwrap_or(0)
 }
 
-fn layouts(gpu: &Gpu, program: &Program, visibility: wgpu::ShaderStages) -> Vec<Option<wgpu::BindGroupLayout>> {
+fn layouts(
+    gpu: &Gpu,
+    program: &Program,
+    visibility: wgpu::ShaderStages,
+) -> Vec<Option<wgpu::BindGroupLayout>> {
     (0..group_count(program))
         .map(|group| {
             let entries: Vec<_> = program
@@ -219,8 +227,12 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
             format: wgpu::TextureFormat::Rgba16Float,
             view_dimension: dimension(*dim),
         },
-        BindingKind::Sampler { comparison: true } => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
-        BindingKind::Sampler { comparison: false } => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+        BindingKind::Sampler { comparison: true } => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)
+        }
+        BindingKind::Sampler { comparison: false } => {
+            wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)
+        }
     }
 }
 
@@ -242,7 +254,8 @@ fn bind_groups(
         .iter()
         .enumerate()
         .map(|(group, layout)| {
-            let binds: Vec<&Bind> = program.binds.iter().filter(|bind| bind.group as usize == group).collect();
+            let binds: Vec<&Bind> =
+                program.binds.iter().filter(|bind| bind.group as usize == group).collect();
             let held: Vec<Held> = binds.iter().map(|bind| hold(gpu, plan, objects, bind)).collect();
             let entries: Vec<_> = binds
                 .iter()
@@ -257,14 +270,20 @@ fn bind_groups(
                 })
                 .collect();
             let layout = layout.as_ref()?;
-            Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries }))
+            Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout,
+                entries: &entries,
+            }))
         })
         .collect()
 }
 
 fn hold(gpu: &Gpu, plan: &Plan, objects: &[Object], bind: &Bind) -> Held {
     match &bind.target {
-        Target::Uniform(bytes) => Held::Buffer(buffer_with(gpu, &bind.name, bytes, wgpu::BufferUsages::UNIFORM)),
+        Target::Uniform(bytes) => {
+            Held::Buffer(buffer_with(gpu, &bind.name, bytes, wgpu::BufferUsages::UNIFORM))
+        }
         Target::Resource(index) => match &objects[*index] {
             Object::Buffer(buffer) => Held::Buffer(buffer.clone()),
             Object::Sampler(sampler) => Held::Sampler(sampler.clone()),
@@ -326,8 +345,10 @@ fn nothing(gpu: &Gpu, kind: &BindingKind) -> Held {
         usage,
         view_formats: &[],
     });
-    Held::View(texture.create_view(&wgpu::TextureViewDescriptor {
-        dimension: Some(dimension(dim)),
-        ..Default::default()
-    }))
+    Held::View(
+        texture.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(dimension(dim)),
+            ..Default::default()
+        }),
+    )
 }

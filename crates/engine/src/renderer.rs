@@ -53,12 +53,15 @@ impl<'g> Renderer<'g> {
         let uploaded = SceneObjects::new(gpu, &plan, &facts, scene)?;
         let mut objects = Vec::new();
         for (index, resource) in plan.resources.iter().enumerate() {
-            let known = uploaded.named.iter().find(|(name, _)| *name == resource.name).map(|(_, object)| match object {
-                Object::Buffer(buffer) => Object::Buffer(buffer.clone()),
-                Object::Texture(texture) => Object::Texture(texture.clone()),
-                Object::Sampler(sampler) => Object::Sampler(sampler.clone()),
-                Object::Pending => Object::Pending,
-            });
+            let known =
+                uploaded.named.iter().find(|(name, _)| *name == resource.name).map(
+                    |(_, object)| match object {
+                        Object::Buffer(buffer) => Object::Buffer(buffer.clone()),
+                        Object::Texture(texture) => Object::Texture(texture.clone()),
+                        Object::Sampler(sampler) => Object::Sampler(sampler.clone()),
+                        Object::Pending => Object::Pending,
+                    },
+                );
             objects.push(match known {
                 Some(object) if resource.kind == ResourceKind::Scene => object,
                 _ => create(gpu, &plan, index, None)?,
@@ -103,17 +106,22 @@ impl<'g> Renderer<'g> {
 
     /// Runs voxelization up to the count of cells, and makes the buffers that depend on it.
     fn count(&mut self, programs: &mut Programs) -> Result<(), Error> {
-        let counted = |pass: &voxlume_graph::Pass| pass.steps.iter().position(|step| matches!(step, Step::Counted));
-        let Some((pass, end)) = self.plan.passes.iter().enumerate().find_map(|(i, pass)| Some((i, counted(pass)?)))
+        let counted =
+            |pass: &voxlume_graph::Pass| pass.steps.iter().position(|step| matches!(step, Step::Counted));
+        let Some((pass, end)) =
+            self.plan.passes.iter().enumerate().find_map(|(i, pass)| Some((i, counted(pass)?)))
         else {
             return Ok(());
         };
         let steps = &self.plan.passes[pass].steps[..end];
         let label = &self.plan.passes[pass].name;
-        let ready = steps.iter().map(|step| self.ready(programs, label, step)).collect::<Result<Vec<_>, _>>()?;
+        let ready =
+            steps.iter().map(|step| self.ready(programs, label, step)).collect::<Result<Vec<_>, _>>()?;
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.encode(&mut encoder, steps, &ready, None);
-        let Some(levels) = self.plan.resource("levels").map(|index| &self.objects[index]) else { return Ok(()) };
+        let Some(levels) = self.plan.resource("levels").map(|index| &self.objects[index]) else {
+            return Ok(());
+        };
         let Object::Buffer(levels) = levels else { return Ok(()) };
         let read = self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("counts"),
@@ -125,14 +133,13 @@ impl<'g> Renderer<'g> {
         self.gpu.guarded("counting voxels", || self.gpu.queue.submit([encoder.finish()]))?;
         let bytes = self.gpu.read(&read)?;
         // A `LevelRun` is eight words: three of workgroups, the first cell, the count.
-        let words: Vec<u32> = bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let words: Vec<u32> =
+            bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         let count = |level: usize| u64::from(words[level * 8 + 4]);
         self.counts = (count(0), (0..words.len() / 8).map(count).sum());
         for index in 0..self.objects.len() {
-            if matches!(
-                self.plan.resources[index].kind,
-                ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_)
-            ) {
+            if matches!(self.plan.resources[index].kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_))
+            {
                 self.objects[index] = create(self.gpu, &self.plan, index, Some(self.counts))?;
             }
         }
@@ -241,7 +248,8 @@ impl<'g> Renderer<'g> {
     }
 
     fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, step: &Step, ready: &Option<Ready>) {
-        let (Step::Compute { groups, .. }, Some(Ready::Compute(pipeline, bind_groups))) = (step, ready) else {
+        let (Step::Compute { groups, .. }, Some(Ready::Compute(pipeline, bind_groups))) = (step, ready)
+        else {
             return;
         };
         pass.set_pipeline(pipeline);
@@ -277,12 +285,22 @@ impl<'g> Renderer<'g> {
             _ => None,
         };
         let views: Vec<_> = colors.iter().map(|color| color.and_then(|index| view(index, 0))).collect();
-        let (Some(depth_view), Some(Ready::Draw(pipeline, bind_groups))) = (view(depth, layer), ready) else { return };
+        let (Some(depth_view), Some(Ready::Draw(pipeline, bind_groups))) = (view(depth, layer), ready) else {
+            return;
+        };
         let attachments: Vec<_> = views
             .iter()
             .map(|view| {
-                let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
-                view.as_ref().map(|view| wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
+                let ops = wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                };
+                view.as_ref().map(|view| wgpu::RenderPassColorAttachment {
+                    view,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops,
+                })
             })
             .collect();
         let clear = wgpu::LoadOp::Clear(if reversed { 0.0 } else { 1.0 });
@@ -310,7 +328,11 @@ impl<'g> Renderer<'g> {
     /// The plan has no such image, or the device is lost.
     pub fn picture(&self, name: &str) -> Result<Picture, Error> {
         let found = self.plan.resource(name).and_then(|index| match &self.objects[index] {
-            Object::Texture(texture) if matches!(self.plan.resources[index].kind, ResourceKind::Image { .. }) => Some(texture),
+            Object::Texture(texture)
+                if matches!(self.plan.resources[index].kind, ResourceKind::Image { .. }) =>
+            {
+                Some(texture)
+            }
             _ => None,
         });
         let Some(texture) = found else {

@@ -123,7 +123,11 @@ fn texture_array(gpu: &Gpu, label: &str, array: &texture::TextureArray, srgb: bo
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo { mip_level: mip as u32, ..texture.as_image_copy() },
             bytes,
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * side), rows_per_image: Some(side) },
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(4 * side),
+                rows_per_image: Some(side),
+            },
             wgpu::Extent3d { width: side, height: side, depth_or_array_layers: array.layers },
         );
     }
@@ -131,7 +135,12 @@ fn texture_array(gpu: &Gpu, label: &str, array: &texture::TextureArray, srgb: bo
 }
 
 /// Makes resource `index`; with `counts` of occupied voxels and cells, also what depends on them.
-pub(crate) fn create(gpu: &Gpu, plan: &Plan, index: usize, counts: Option<(u64, u64)>) -> Result<Object, Error> {
+pub(crate) fn create(
+    gpu: &Gpu,
+    plan: &Plan,
+    index: usize,
+    counts: Option<(u64, u64)>,
+) -> Result<Object, Error> {
     let resource = &plan.resources[index];
     let name = resource.name.as_str();
     if matches!(resource.kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_)) && counts.is_none() {
@@ -186,7 +195,13 @@ pub(crate) fn create(gpu: &Gpu, plan: &Plan, index: usize, counts: Option<(u64, 
         }
         ResourceKind::ShadowMaps { size, layers } => {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-            texture([size, size, layers], 1, wgpu::TextureDimension::D2, wgpu::TextureFormat::Depth32Float, usage)
+            texture(
+                [size, size, layers],
+                1,
+                wgpu::TextureDimension::D2,
+                wgpu::TextureFormat::Depth32Float,
+                usage,
+            )
         }
     }
 }

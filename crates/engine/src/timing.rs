@@ -79,7 +79,8 @@ impl Queries {
     /// Milliseconds of each pass.
     pub fn read(&self, gpu: &Gpu) -> Result<Vec<f64>, Error> {
         let bytes = gpu.read(&self.read)?;
-        let ticks: Vec<u64> = bytes.chunks_exact(8).map(|b| b.iter().rev().fold(0, |n, b| n << 8 | u64::from(*b))).collect();
+        let ticks: Vec<u64> =
+            bytes.chunks_exact(8).map(|b| b.iter().rev().fold(0, |n, b| n << 8 | u64::from(*b))).collect();
         let period = f64::from(gpu.queue.get_timestamp_period());
         Ok(ticks.chunks_exact(2).map(|pair| pair[1].saturating_sub(pair[0]) as f64 * period * 1e-6).collect())
     }

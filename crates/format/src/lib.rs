@@ -33,11 +33,6 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
     /// The 3D textures that it keeps. WGSL reads each under its name, writes its level 0 under
     /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`.
     fn volumes(&self) -> &[Volume];
-
-    /// Whether `voxel_mipmap` reads the voxels' attributes (normals) beside the volumes.
-    fn mipmap_reads_attributes(&self) -> bool {
-        false
-    }
 }
 
 /// The formats to choose from.
@@ -71,7 +66,7 @@ impl Formats {
 mod tests {
     use super::*;
 
-    /// The issue of memory: one shared level 0, directions from level 1 up.
+    /// One shared level 0, directions from level 1 up.
     #[test]
     fn bytes_at_128() {
         let formats = Formats::builtin();

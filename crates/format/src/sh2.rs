@@ -29,8 +29,4 @@ impl StorageFormat for Sh2 {
             Volume { name: "harmonics", levels: Levels::Coarser, blocks: 4 },
         ]
     }
-
-    fn mipmap_reads_attributes(&self) -> bool {
-        true
-    }
 }

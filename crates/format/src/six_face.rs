@@ -28,8 +28,4 @@ impl StorageFormat for SixFace {
             Volume { name: "faces", levels: Levels::Coarser, blocks: 6 },
         ]
     }
-
-    fn mipmap_reads_attributes(&self) -> bool {
-        true
-    }
 }

@@ -33,11 +33,12 @@ pub fn explain(plan: &Plan) -> String {
             ResourceKind::PerCell(bytes) => format!("{bytes} B × occupied cells of all levels"),
             _ => plan.bytes(index, 0, 0).map(mebibytes).unwrap_or_default(),
         };
-        let _ = writeln!(text, "  {:<18} {:<34} {size}", resource.name, shape(plan, &resource.kind));
+        let _ = writeln!(text, "  {:<18} {:<41} {size}", resource.name, shape(plan, &resource.kind));
     }
     let _ = writeln!(text, "\nleft out");
     for item in &plan.left_out {
-        let saved = if item.bytes > 0 { format!(" (saves {})", mebibytes(item.bytes)) } else { String::new() };
+        let saved =
+            if item.bytes > 0 { format!(" (saves {})", mebibytes(item.bytes)) } else { String::new() };
         let _ = writeln!(text, "  {:<38} {}{saved}", item.what, item.why);
     }
     text
@@ -71,15 +72,25 @@ fn shape(plan: &Plan, kind: &ResourceKind) -> String {
         ResourceKind::Scene => String::new(),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
         ResourceKind::Volume { size: [x, y, z], mips, encoding } => {
-            format!("{x} × {y} × {z} {}, {mips} level{}", encoding.name(), if *mips == 1 { "" } else { "s" })
+            format!("{x} × {y} × {z} {}, {}", encoding.name(), count(*mips, "level"))
         }
-        ResourceKind::Image { layers, .. } => format!("{width} × {height} image, {layers} layer(s)"),
-        ResourceKind::ShadowMaps { size, layers } => format!("{size} × {size} depth, {layers} layer(s)"),
+        ResourceKind::Image { layers, .. } => {
+            format!("{width} × {height} image, {}", count(*layers, "layer"))
+        }
+        ResourceKind::ShadowMaps { size, layers } => {
+            format!("{size} × {size} depth, {}", count(*layers, "layer"))
+        }
     }
 }
 
+fn count(n: u32, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
 fn mebibytes(bytes: u64) -> String {
-    if bytes < 1 << 20 {
+    if bytes < 1 << 10 {
+        format!("{bytes} B")
+    } else if bytes < 1 << 20 {
         format!("{:.1} KiB", bytes as f64 / f64::from(1 << 10))
     } else {
         format!("{:.2} MiB", bytes as f64 / f64::from(1 << 20))

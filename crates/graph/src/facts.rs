@@ -37,6 +37,8 @@ pub struct SceneFacts {
     pub masked: bool,
     /// Whether any material is metallic or smoother than fully rough.
     pub glossy: bool,
+    /// Whether anything outside the scene shines.
+    pub sky: bool,
     /// Whether any instance moves.
     pub moving: bool,
 }
@@ -53,11 +55,13 @@ impl SceneFacts {
             meshes().for_each(|mesh| used[mesh.material] = true);
             scene.materials.iter().zip(used).filter(|(_, used)| *used).map(|(material, _)| material).collect()
         };
-        let count = |kind: fn(&LightKind) -> bool| scene.lights.iter().filter(|l| kind(&l.kind)).count() as u32;
+        let count =
+            |kind: fn(&LightKind) -> bool| scene.lights.iter().filter(|l| kind(&l.kind)).count() as u32;
         let largest = scene.textures.iter().map(|t| t.width.max(t.height)).max().unwrap_or(1);
         let srgb = scene.textures.iter().filter(|texture| texture.srgb).count() as u32;
         let emissive = used.iter().any(|material| material.emission.max_element() > 0.0);
-        let polygons = scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
+        let polygons =
+            scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
         SceneFacts {
             bounds: scene.bounds(),
             triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
@@ -78,8 +82,11 @@ impl SceneFacts {
             texture_size: largest.next_power_of_two().min(TEXTURE_SIZE_LIMIT),
             masked: used.iter().any(|material| material.alpha_cutoff.is_some()),
             glossy: used.iter().any(|material| {
-                material.metallic > 0.0 || material.roughness < 1.0 || material.metallic_roughness_texture.is_some()
+                material.metallic > 0.0
+                    || material.roughness < 1.0
+                    || material.metallic_roughness_texture.is_some()
             }),
+            sky: scene.sky.max_element() > 0.0,
             moving: scene.instances.iter().any(|instance| instance.moving),
         }
     }

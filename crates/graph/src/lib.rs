@@ -20,5 +20,7 @@ pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
 pub use grid::{Grid, fixed_point_scale};
 pub use kind::{KINDS, Kind, ParamWords, Port, SURFACE_IMAGES, Values};
 pub use pipeline::{Located, Param, PassEntry, Pipeline, Value};
-pub use plan::{Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target};
+pub use plan::{
+    Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target,
+};
 pub use planner::{Request, plan};

@@ -10,6 +10,8 @@ use crate::plan::ResourceKind;
 const TEXTURE_2D: u32 = 8192;
 /// Largest side of a 3D texture.
 const TEXTURE_3D: u32 = 2048;
+/// Pixels of an image that a buffer of 256 MiB holds, at 8 bytes each.
+const IMAGE_PIXELS: u64 = (256 << 20) / 8;
 /// Layers of a texture array.
 const LAYERS: u32 = 256;
 /// Bytes of one storage buffer binding.
@@ -20,6 +22,9 @@ pub(crate) fn check_screen(screen: [u32; 2], faults: &mut Faults) {
     if width == 0 || height == 0 || width > TEXTURE_2D || height > TEXTURE_2D {
         let message = format!("an image of {width} × {height} pixels");
         faults.push(Fault::new(message).note(format!("each side: 1 to {TEXTURE_2D}")));
+    } else if u64::from(width) * u64::from(height) > IMAGE_PIXELS {
+        let message = format!("an image of {width} × {height} pixels");
+        faults.push(Fault::new(message).note(format!("at most {IMAGE_PIXELS} pixels can be read back")));
     }
 }
 
@@ -31,7 +36,10 @@ pub(crate) fn check_resources(pipeline: &Pipeline, context: &mut Context<'_>) {
             }
             ResourceKind::Volume { size, .. } if size.iter().any(|side| *side > TEXTURE_3D) => {
                 let [x, y, z] = size;
-                format!("`{}` needs {x} × {y} × {z} texels; a 3D texture's side is at most {TEXTURE_3D}", resource.name)
+                format!(
+                    "`{}` needs {x} × {y} × {z} texels; a 3D texture's side is at most {TEXTURE_3D}",
+                    resource.name
+                )
             }
             ResourceKind::ShadowMaps { layers, .. } if *layers > LAYERS => {
                 format!("the lights need {layers} shadow maps; at most {LAYERS} fit")

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use voxlume_fault::{Fault, Faults, suggest};
 
+use crate::kind::Kind;
 use crate::pipeline::{Located, PassEntry, Pipeline};
 
 /// Makers of each resource: the pass that writes it, then those that update it, in the file's order.
@@ -18,8 +19,13 @@ impl<'a> Makers<'a> {
                 let of = makers.entry(&name.value).or_default();
                 if let Some(first) = of.first() {
                     let first = &pipeline.passes[*first].name;
-                    let message = format!("`{}` is written twice, by `{first}` and `{}`", name.value, pass.name);
-                    faults.push(pipeline.fault(&name.span, message, "a second writer: `updates` changes what is there"));
+                    let message =
+                        format!("`{}` is written twice, by `{first}` and `{}`", name.value, pass.name);
+                    faults.push(pipeline.fault(
+                        &name.span,
+                        message,
+                        "a second writer: `updates` changes what is there",
+                    ));
                 } else {
                     of.push(index);
                 }
@@ -32,9 +38,17 @@ impl<'a> Makers<'a> {
         };
         for pass in &pipeline.passes {
             for name in pass.reads.iter().chain(&pass.updates) {
-                if !makers.contains_key(name.value.as_str()) {
+                // What a kind can't read at all is a fault of its own.
+                let knows =
+                    |kind: &Kind| kind.reads.iter().chain(kind.updates).any(|port| port.name == name.value);
+                let expected = Kind::get(&pass.run.value).is_none_or(knows);
+                if expected && !makers.contains_key(name.value.as_str()) {
                     let label = suggest(&name.value, written.iter().copied());
-                    faults.push(pipeline.fault(&name.span, format!("no pass writes `{}`", name.value), label));
+                    faults.push(pipeline.fault(
+                        &name.span,
+                        format!("no pass writes `{}`", name.value),
+                        label,
+                    ));
                 }
             }
         }
@@ -51,7 +65,8 @@ impl<'a> Makers<'a> {
     /// The passes that must come before `pass`, each with the resource that says so.
     pub fn before<'p>(&self, pipeline: &'p Pipeline, pass: usize) -> Vec<(usize, &'p Located<String>)> {
         let entry = &pipeline.passes[pass];
-        let makers = |name: &Located<String>| self.0.get(name.value.as_str()).map(Vec::as_slice).unwrap_or_default();
+        let makers =
+            |name: &Located<String>| self.0.get(name.value.as_str()).map(Vec::as_slice).unwrap_or_default();
         let reads = entry.reads.iter().flat_map(|name| makers(name).iter().map(move |maker| (*maker, name)));
         let updates = entry.updates.iter().flat_map(|name| {
             makers(name).iter().take_while(|maker| **maker != pass).map(move |maker| (*maker, name))

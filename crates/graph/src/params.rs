@@ -30,7 +30,8 @@ impl<'a> Params<'a> {
     }
 
     fn wrong(&self, param: &Param, label: impl Into<String>) -> Fault {
-        let message = format!("parameter `{}` of pass `{}`", param.name, self.entry.name);
+        let message =
+            format!("parameter `{}` of pass `{}` can't be {}", param.name, self.entry.name, param.value);
         self.pipeline.fault(&param.span, message, label)
     }
 
@@ -59,7 +60,9 @@ impl<'a> Params<'a> {
             return None;
         };
         match param.value {
-            Value::Number(n) if n.fract() == 0.0 && n >= f64::from(*low) && n <= f64::from(*high) => Some(n as u32),
+            Value::Number(n) if n.fract() == 0.0 && n >= f64::from(*low) && n <= f64::from(*high) => {
+                Some(n as u32)
+            }
             _ => {
                 faults.push(self.wrong(param, label));
                 None
@@ -101,7 +104,8 @@ impl<'a> Params<'a> {
 
     /// Reports every parameter that nobody read.
     pub fn finish(self, faults: &mut Faults) {
-        let known: Vec<&str> = self.asked.iter().map(String::as_str).filter(|name| !name.ends_with("_deg")).collect();
+        let known: Vec<&str> =
+            self.asked.iter().map(String::as_str).filter(|name| !name.ends_with("_deg")).collect();
         for param in &self.entry.params {
             if !self.asked.contains(&param.name) {
                 let message = format!("pass `{}` has no parameter `{}`", self.entry.name, param.name);
@@ -119,7 +123,8 @@ fn spec<'k>(kind: &'k Kind, name: &str) -> Option<&'k Values> {
 fn encode(shader: &Shader, field: &Field, value: &Value, scale: f64) -> Option<Vec<u8>> {
     let float = |n: f64| {
         let value = (n * scale) as f32;
-        (value.is_finite() && range(field).is_none_or(|r| r.holds(n * scale))).then(|| value.to_le_bytes().to_vec())
+        (value.is_finite() && range(field).is_none_or(|r| r.holds(n * scale)))
+            .then(|| value.to_le_bytes().to_vec())
     };
     match (field.ty.as_str(), value) {
         ("f32", Value::Number(n)) => float(*n),
@@ -165,8 +170,10 @@ fn describe(shader: &Shader, field: &Field) -> String {
         "i32" => "a whole number".to_owned(),
         ty => format!("a list of {} numbers", &ty[3..4]),
     };
-    let within = range(field).map(|range| format!(" in {}", range.text)).unwrap_or_default();
-    let doc = &field.docs;
+    let range = range(field).map(|range| range.text).unwrap_or_default();
+    let within = if range.is_empty() { String::new() } else { format!(" in {range}") };
+    // The comment says the range again.
+    let doc = field.docs.replace(&format!(", {range}"), "");
     if doc.is_empty() { format!("{what}{within}") } else { format!("{what}{within}: {doc}") }
 }
 

@@ -54,7 +54,7 @@ pub struct PassEntry {
     pub layers: Option<Located<String>>,
     /// Its parameters.
     pub params: Vec<Param>,
-    /// Bytes of the entry's first word, for faults about the whole.
+    /// Bytes of `run`'s value, for faults about the whole.
     pub span: Range<usize>,
 }
 
@@ -80,6 +80,19 @@ pub enum Value {
     Word(String),
     /// Numbers of a vector.
     Vector(Vec<f64>),
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Value::Number(number) => write!(f, "{number}"),
+            Value::Word(word) => write!(f, "\"{word}\""),
+            Value::Vector(list) => {
+                let list: Vec<String> = list.iter().map(f64::to_string).collect();
+                write!(f, "({})", list.join(", "))
+            }
+        }
+    }
 }
 
 impl Pipeline {
@@ -127,7 +140,12 @@ impl Pipeline {
     }
 
     /// A fault at a place of this file, or without one for a value from elsewhere.
-    pub fn fault(&self, span: &Option<Range<usize>>, message: impl Into<String>, label: impl Into<String>) -> Fault {
+    pub fn fault(
+        &self,
+        span: &Option<Range<usize>>,
+        message: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Fault {
         let fault = Fault::new(message);
         match span {
             Some(span) => fault.at(&self.source, span.clone(), label),
@@ -170,7 +188,7 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     };
     let when = word("when", faults);
     let layers = word("layers", faults);
-    let params = match fields.node("params").map(|node| faults.gather(node.fields())) {
+    let params: Vec<Param> = match fields.node("params").map(|node| faults.gather(node.fields())) {
         Some(Some(list)) => list
             .iter()
             .filter_map(|field| {
@@ -184,10 +202,19 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
             .collect(),
         _ => Vec::new(),
     };
+    for (index, param) in params.iter().enumerate() {
+        if params[..index].iter().any(|earlier: &Param| earlier.name == param.name)
+            && let Some(span) = &param.name_span
+        {
+            let message = format!("parameter `{}` given twice", param.name);
+            faults.push(Fault::new(message).at(node.source(), span.clone(), "the second"));
+        }
+    }
     fields.finish(faults);
     let run = run?;
+    let span = run.span.clone().unwrap_or(node.head());
     let stem = run.value.rsplit('/').next().unwrap_or_default().trim_end_matches(".wgsl").to_owned();
-    Some(PassEntry { name: name.unwrap_or(stem), run, reads, writes, updates, when, layers, params, span: node.head() })
+    Some(PassEntry { name: name.unwrap_or(stem), run, reads, writes, updates, when, layers, params, span })
 }
 
 fn value(node: Node<'_>) -> Result<Value, Faults> {

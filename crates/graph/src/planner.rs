@@ -96,7 +96,8 @@ pub fn plan(
         faults.push(unknown(pipeline, "output", &pipeline.output, &made));
     }
     let ordered = faults.gather(order(pipeline, &makers));
-    let (Some(format), Some(encoding), Some(ordered), true) = (format, encoding, ordered, faults.is_empty()) else {
+    let (Some(format), Some(encoding), Some(ordered), true) = (format, encoding, ordered, faults.is_empty())
+    else {
         return Err(faults);
     };
 
@@ -116,7 +117,7 @@ pub fn plan(
         passes.push(Pass {
             name: entry.name.clone(),
             once: kind.name == "voxelize" && !facts.moving,
-            reads: words(&entry.reads),
+            reads: words(&entry.reads).into_iter().filter(|name| context.available.contains(name)).collect(),
             writes: [words(&entry.writes), words(&entry.updates)].concat(),
             steps,
         });
@@ -196,14 +197,14 @@ fn kind_of(entry: &PassEntry) -> &'static Kind {
 }
 
 /// Conditions for `when`.
-const CONDITIONS: [&str; 4] = ["lights", "glossy", "shadow_mapped_lights", "gathered_emission"];
+const CONDITIONS: [&str; 4] = ["lights", "glossy", "shadow_mapped_lights", "gathered_light"];
 
 fn holds(condition: &str, facts: &SceneFacts, area_lights: bool) -> bool {
     match condition {
         "lights" => facts.punctual() > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0),
         "glossy" => facts.glossy,
         "shadow_mapped_lights" => facts.punctual() > 0,
-        _ => facts.emissive && !area_lights,
+        _ => facts.sky || (facts.emissive && !area_lights),
     }
 }
 
@@ -212,13 +213,17 @@ fn why_not(condition: &str) -> &'static str {
         "lights" => "the scene has no light",
         "glossy" => "no material is glossy",
         "shadow_mapped_lights" => "the scene has no directional, spot or point light",
-        _ => "what emits, if anything, is lit as area lights",
+        _ => "no sky, and no emission but that of area lights",
     }
 }
 
 fn check_entries(pipeline: &Pipeline, library: &Library, faults: &mut Faults) {
     let mut names = BTreeSet::new();
-    let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.name).chain(library.paths().filter(|p| p.starts_with("effect/"))).collect();
+    let kinds: Vec<&str> = KINDS
+        .iter()
+        .map(|kind| kind.name)
+        .chain(library.paths().filter(|p| p.starts_with("effect/")))
+        .collect();
     for pass in &pipeline.passes {
         if !names.insert(&pass.name) {
             let message = format!("two passes are called `{}`", pass.name);
@@ -234,8 +239,18 @@ fn check_entries(pipeline: &Pipeline, library: &Library, faults: &mut Faults) {
         {
             faults.push(unknown(pipeline, "condition", when, &CONDITIONS));
         }
-        if let Some(kind) = Kind::get(run) {
-            check_ports(pipeline, pass, kind, faults);
+        if let Some(layers) = pass.layers.as_ref().filter(|layers| layers.value != "lights") {
+            let message = format!("unknown layers `{}`", layers.value);
+            faults.push(pipeline.fault(&layers.span, message, "one of: lights (a layer for each four)"));
+        }
+        match Kind::get(run) {
+            Some(kind) => check_ports(pipeline, pass, kind, faults),
+            None if pass.writes.len() != 1 => {
+                let message = format!("pass `{}` must write one image", pass.name);
+                let place = pass.writes.get(1).map_or(&pass.run.span, |second| &second.span);
+                faults.push(pipeline.fault(place, message, "`writes: [\"name\"]`"));
+            }
+            None => {}
         }
     }
 }
@@ -243,20 +258,20 @@ fn check_entries(pipeline: &Pipeline, library: &Library, faults: &mut Faults) {
 /// A kind's fixed ports: what it makes must be said, what it needs must be read.
 fn check_ports(pipeline: &Pipeline, pass: &PassEntry, kind: &Kind, faults: &mut Faults) {
     let lists = [
-        ("reads", &pass.reads, kind.reads),
-        ("writes", &pass.writes, kind.writes),
-        ("updates", &pass.updates, kind.updates),
+        ("read", &pass.reads, kind.reads),
+        ("write", &pass.writes, kind.writes),
+        ("update", &pass.updates, kind.updates),
     ];
     for (word, given, ports) in lists {
         for port in ports.iter().filter(|port| !port.optional) {
             if !given.iter().any(|name| name.value == port.name) {
-                let message = format!("pass `{}` {word} no `{}`", pass.name, port.name);
-                faults.push(pipeline.fault(&Some(pass.span.clone()), message, format!("needed: {}", port.sentence)));
+                let message = format!("pass `{}` must {word} `{}`", pass.name, port.name);
+                faults.push(pipeline.fault(&Some(pass.span.clone()), message, port.sentence));
             }
         }
         for name in given {
             if !ports.iter().any(|port| port.name == name.value) {
-                let message = format!("`{}` {word} no `{}`", kind.name, name.value);
+                let message = format!("pass `{}` can't {word} `{}`", pass.name, name.value);
                 let label = suggest(&name.value, ports.iter().map(|port| port.name));
                 faults.push(pipeline.fault(&name.span, message, label));
             }
@@ -283,7 +298,9 @@ fn images(pipeline: &Pipeline) -> impl Iterator<Item = &str> {
 /// Emissive polygons are lights of their own where they are few and the light pass doesn't say otherwise.
 fn uses_area_lights(pipeline: &Pipeline, facts: &SceneFacts) -> bool {
     let gather = pipeline.passes.iter().filter(|pass| pass.run.value == "light").any(|pass| {
-        pass.params.iter().any(|param| param.name == "emission" && param.value == Value::Word("gather".into()))
+        pass.params
+            .iter()
+            .any(|param| param.name == "emission" && param.value == Value::Word("gather".into()))
     });
     facts.emissive && facts.polygons.is_some() && !gather
 }
@@ -305,7 +322,8 @@ fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> 
         }
     }
     let wanted = |pass: &PassEntry| makes(pass, &pipeline.output.value);
-    let mut stack: Vec<usize> = (0..pipeline.passes.len()).filter(|index| wanted(&pipeline.passes[*index])).collect();
+    let mut stack: Vec<usize> =
+        (0..pipeline.passes.len()).filter(|index| wanted(&pipeline.passes[*index])).collect();
     let mut live = BTreeSet::new();
     while let Some(index) = stack.pop() {
         if skipped.iter().any(|(skip, _)| *skip == index) || !live.insert(index) {
@@ -313,7 +331,9 @@ fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> 
         }
         let unread = unread_inputs(&pipeline.passes[index]);
         let before = makers.before(pipeline, index);
-        stack.extend(before.iter().filter(|(_, name)| !unread.contains(&name.value.as_str())).map(|(maker, _)| *maker));
+        stack.extend(
+            before.iter().filter(|(_, name)| !unread.contains(&name.value.as_str())).map(|(maker, _)| *maker),
+        );
     }
     for index in &live {
         let pass = &pipeline.passes[*index];
@@ -335,7 +355,11 @@ fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> 
         let why = why.unwrap_or_else(|| {
             if unread { "`ao_weight` is 0".to_owned() } else { "nobody reads what it makes".to_owned() }
         });
-        context.left_out.push(LeftOut { what: format!("pass `{}`", pass.name), why, bytes: saved(pass, context) });
+        context.left_out.push(LeftOut {
+            what: format!("pass `{}`", pass.name),
+            why,
+            bytes: saved(pass, context),
+        });
     }
     for image in pipeline.passes.iter().flat_map(unread_inputs) {
         context.available.remove(*image);

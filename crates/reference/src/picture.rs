@@ -94,7 +94,9 @@ mod tests {
     #[test]
     fn a_ratio_weighs_its_samples() {
         let mut ratio = Ratio::default();
-        [(1.0, true), (3.0, false), (0.0, false), (4.0, true)].map(|(weight, so)| ratio.add(weight, so));
+        [(1.0, true), (3.0, false), (0.0, false), (4.0, true)]
+            .into_iter()
+            .for_each(|(weight, so)| ratio.add(weight, so));
         // Residues w(V − 5/8): 3/8, −15/8, 0, 12/8.
         let error = ((9.0f64 + 225.0 + 144.0) / 64.0 / 64.0 * 4.0 / 3.0).sqrt() as f32;
         assert_eq!(ratio.finish(), Some(([0.625; 3], [error; 3])));

@@ -122,7 +122,9 @@ impl Tracer {
     /// Where the camera sees no surface.
     fn background(&self, quantity: Quantity) -> Vec3 {
         match quantity {
-            Quantity::SoftShadow { .. } | Quantity::PanelShadow(_) | Quantity::AmbientOcclusion { .. } => Vec3::ONE,
+            Quantity::SoftShadow { .. } | Quantity::PanelShadow(_) | Quantity::AmbientOcclusion { .. } => {
+                Vec3::ONE
+            }
             Quantity::Diffuse(_) | Quantity::Specular(_) => Vec3::ZERO,
             Quantity::Final { .. } => self.sky,
         }

@@ -16,7 +16,7 @@ impl Axis {
         let high = values.iter().copied().reduce(f64::max)?;
         let all = steps(&[1.0, 2.0, 5.0], low, high);
         let (first, last) = (all.first().copied()?, all.last().copied()?);
-        let ticks = if all.len() > 7 { steps(&[1.0], low, high) } else { all };
+        let ticks = if all.len() > 9 { steps(&[1.0], low, high) } else { all };
         let ticks = ticks.into_iter().filter(|tick| (first..=last).contains(tick)).collect();
         Some(Axis { low: first, high: last, ticks })
     }
@@ -51,8 +51,10 @@ mod tests {
     fn ends_are_round() {
         assert_eq!(ticks(&[3.0, 60.0]), ["2.000", "5.000", "10.000", "20.000", "50.000", "100.000"]);
         assert_eq!(ticks(&[0.1]), ["0.050", "0.100", "0.200"]);
-        assert_eq!(ticks(&[0.02, 300.0]), ["0.010", "0.100", "1.000", "10.000", "100.000"]
-            .into_iter().collect::<Vec<_>>());
+        assert_eq!(
+            ticks(&[0.02, 300.0]),
+            ["0.010", "0.100", "1.000", "10.000", "100.000"].into_iter().collect::<Vec<_>>()
+        );
         assert_eq!(Axis::around(&[]), None);
     }
 

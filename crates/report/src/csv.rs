@@ -65,7 +65,10 @@ mod tests {
             lines[1],
             "cornell,diffuse,isotropic,rgba16float,64,32,16,2,4096,1,0.5,-0.25,,2,0.125,0.0625,,"
         );
-        assert_eq!(lines[2], "cornell,diffuse,sh2,rgba16float,64,32,16,,,,,,,,,,,\"too <large>, \"\"so\"\"\"");
+        assert_eq!(
+            lines[2],
+            "cornell,diffuse,sh2,rgba16float,64,32,16,,,,,,,,,,,\"too <large>, \"\"so\"\"\""
+        );
         assert!(lines.iter().take(2).all(|line| line.matches(',').count() == 17));
         assert_eq!(lines[3], "");
     }

@@ -1,16 +1,15 @@
 //! The report as one page of HTML, which needs nothing beside it.
 
+mod figures;
+mod pictures;
+
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use serde::Serialize;
-
-use crate::number::{bytes, short};
+use self::pictures::{Pictures, ScriptStrip};
+use crate::number::{bytes, mark, mark_bytes, short};
 use crate::plot::{Plot, Point, SERIES, escape};
 use crate::results::{Outcome, Results, Row};
-use crate::table::{FIGURES, figures};
 
 /// Pictures of one row, as PNG files.
 #[derive(Clone, Debug)]
@@ -25,16 +24,6 @@ pub struct Strip {
     pub error: Vec<u8>,
     /// The error at which its colour is full.
     pub error_scale: f64,
-}
-
-/// A strip for the page's script: pictures by their place in the list of all.
-#[derive(Serialize)]
-struct ScriptStrip {
-    name: String,
-    image: usize,
-    reference: usize,
-    error: usize,
-    note: String,
 }
 
 /// The page. `date` and `subtitle` (what was asked for) stand in its head.
@@ -59,13 +48,14 @@ pub fn page(results: &Results, strips: &[Strip], date: &str, subtitle: &str) -> 
         let of_group = strips.iter().filter(|strip| {
             results.rows.get(strip.row).is_some_and(|row| row.scene == scene && row.effect == effect)
         });
-        let list: Vec<ScriptStrip> = of_group.map(|strip| pictures.script(strip, &results.rows[strip.row])).collect();
+        let list: Vec<ScriptStrip> =
+            of_group.map(|strip| pictures.script(strip, &results.rows[strip.row])).collect();
         if !list.is_empty() {
             scripts.insert(number, list);
         }
         html += "</section>\n";
     }
-    table(&mut html, results);
+    figures::table(&mut html, results);
     html += "</main>\n";
     let data = serde_json::json!({ "pictures": pictures.list, "strips": scripts }).to_string();
     // Within a script element only `<` could end it.
@@ -111,7 +101,8 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
     let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
     for row in results.rows.iter().filter(|row| (row.scene.as_str(), row.effect.as_str()) == group) {
         let Outcome::Measured { passes: _, total_ms, volume_bytes, error } = &row.outcome else { continue };
-        let place = series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
+        let place =
+            series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
         let note = error.note().map(|note| format!(" ({note})")).unwrap_or_default();
         let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
             list.push(Point {
@@ -127,88 +118,32 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
     }
     let (scene, effect) = group;
     let _ = write!(html, "<section>\n<h2>{}: {}</h2>\n<div class=\"plots\">", escape(scene), escape(effect));
-    let time = Plot { cost: "time of all passes, ms", cost_text: short, error: "RMSE", error_text: short, points: by_time };
-    let size = Plot { cost: "bytes of the volume", cost_text: bytes, error: "RMSE", error_text: short, points: by_bytes };
+    let time = Plot {
+        cost: "time of all passes, ms",
+        cost_text: mark,
+        error: "RMSE",
+        error_text: mark,
+        points: by_time,
+    };
+    let size = Plot {
+        cost: "bytes of the volume",
+        cost_text: mark_bytes,
+        error: "RMSE",
+        error_text: mark,
+        points: by_bytes,
+    };
     for plot in [time, size] {
         let _ = write!(html, "<figure>{}</figure>", plot.svg());
     }
     html.push_str("</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n<ul class=\"legend\">");
     for (index, (format, encoding)) in series.iter().enumerate() {
-        let _ = write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
+        let _ =
+            write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
     }
     let _ = write!(
         html,
         "<li class=\"ringed\">Pareto front</li></ul>\n<div class=\"strips\" data-strips=\"{number}\"></div>\n"
     );
-}
-
-fn table(html: &mut String, results: &Results) {
-    html.push_str("<section>\n<h2>All figures</h2>\n<p>A click on a head sorts.</p>\n<div class=\"wide\"><table>\n<thead><tr>");
-    let heads = ["scene", "effect", "format", "encoding", "N"];
-    for head in heads.iter().chain(&FIGURES).chain(&["note"]) {
-        let _ = write!(html, "<th><button type=\"button\">{head}</button></th>");
-    }
-    html.push_str("</tr></thead>\n<tbody>\n");
-    for row in &results.rows {
-        html.push_str("<tr>");
-        for cell in [&row.scene, &row.effect, &row.format, &row.encoding] {
-            let _ = write!(html, "<td>{}</td>", escape(cell));
-        }
-        let _ = write!(html, "<td data-value=\"{0}\">{0}</td>", row.resolution);
-        match &row.outcome {
-            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
-                let values = [
-                    Some(*total_ms),
-                    Some(*volume_bytes as f64),
-                    Some(error.rmse),
-                    error.rel_mse,
-                    Some(error.bias),
-                    error.bias_rel,
-                    Some(error.p99),
-                    Some(error.flip),
-                    Some(error.reference_se),
-                ];
-                for (text, value) in figures(*total_ms, *volume_bytes, error).iter().zip(values) {
-                    let value = value.map(|value| value.to_string()).unwrap_or_default();
-                    let _ = write!(html, "<td data-value=\"{value}\">{}</td>", escape(text));
-                }
-                let note = error.note().map(|note| note.to_string()).unwrap_or_default();
-                let _ = write!(html, "<td>{}</td>", escape(&note));
-            }
-            Outcome::Failed { fault } => {
-                html.push_str(&"<td data-value=\"\">-</td>".repeat(FIGURES.len()));
-                let _ = write!(html, "<td class=\"fault\">{}</td>", escape(fault));
-            }
-        }
-        html.push_str("</tr>\n");
-    }
-    html.push_str("</tbody></table></div>\n</section>\n");
-}
-
-/// Every different picture once: many rows share a reference.
-#[derive(Default)]
-struct Pictures {
-    list: Vec<String>,
-}
-
-impl Pictures {
-    fn add(&mut self, png: &[u8]) -> usize {
-        let uri = format!("data:image/png;base64,{}", STANDARD.encode(png));
-        self.list.iter().position(|known| *known == uri).unwrap_or_else(|| {
-            self.list.push(uri);
-            self.list.len() - 1
-        })
-    }
-
-    fn script(&mut self, strip: &Strip, row: &Row) -> ScriptStrip {
-        ScriptStrip {
-            name: name(row),
-            image: self.add(&strip.image),
-            reference: self.add(&strip.reference),
-            error: self.add(&strip.error),
-            note: format!("red: too bright, blue: too dark, full at {}", short(strip.error_scale)),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -238,7 +173,11 @@ mod tests {
     #[test]
     fn it_says_what_was_measured_on_what_and_when() {
         let html = html();
-        assert!(html.contains("<p><b>llvmpipe</b> · software device · Mesa 22.3</p>\n<p>2025-01-02 03:04 UTC</p>"));
+        assert!(
+            html.contains(
+                "<p><b>llvmpipe</b> · software device · Mesa 22.3</p>\n<p>2025-01-02 03:04 UTC</p>"
+            )
+        );
         assert!(html.contains("<title>isotropic rgba16float 64³: 2.00 ms, RMSE 1.00 · Pareto front</title>"));
         assert!(html.contains("<td class=\"fault\">too &lt;large&gt;, &quot;so&quot;</td>"));
     }

@@ -85,7 +85,11 @@ impl Plot<'_> {
         let mut stairs = String::new();
         for (index, (cost, error)) in on_front.iter().enumerate() {
             let (step, h, v) = (if index == 0 { "M" } else { "H" }, at_x(*cost), at_y(*error));
-            let _ = if index == 0 { write!(stairs, "{step}{h:.1} {v:.1}") } else { write!(stairs, "{step}{h:.1}V{v:.1}") };
+            let _ = if index == 0 {
+                write!(stairs, "{step}{h:.1} {v:.1}")
+            } else {
+                write!(stairs, "{step}{h:.1}V{v:.1}")
+            };
         }
         let _ = write!(svg, "<path class=\"front\" d=\"{stairs}\"/>");
         for (point, front) in shown.iter().zip(front) {
@@ -109,7 +113,11 @@ impl Plot<'_> {
         svg += "</svg>";
         match self.points.len() - shown.len() {
             0 => svg,
-            absent => svg + &format!("<p class=\"absent\">{absent} at 0, which has no place on a logarithmic axis.</p>"),
+            absent => {
+                svg + &format!(
+                    "<p class=\"absent\">{absent} at 0, which has no place on a logarithmic axis.</p>"
+                )
+            }
         }
     }
 }
@@ -147,7 +155,10 @@ mod tests {
 
     #[test]
     fn no_place_for_nothing() {
-        assert!(plot(&[(1.0, 0.0), (1.0, 1.0)]).ends_with("<p class=\"absent\">1 at 0, which has no place on a logarithmic axis.</p>"));
+        assert!(
+            plot(&[(1.0, 0.0), (1.0, 1.0)])
+                .ends_with("<p class=\"absent\">1 at 0, which has no place on a logarithmic axis.</p>")
+        );
         assert_eq!(plot(&[]), "<p>Nothing to plot.</p>");
         assert!(!plot(&[(1.0, 1.0)]).contains("NaN"));
     }

@@ -162,7 +162,8 @@ pub(crate) mod tests {
     }
 
     pub(crate) fn results() -> Results {
-        let failed = Row { outcome: Outcome::Failed { fault: "too <large>, \"so\"".into() }, ..row("sh2", 0.0, 0.0) };
+        let failed =
+            Row { outcome: Outcome::Failed { fault: "too <large>, \"so\"".into() }, ..row("sh2", 0.0, 0.0) };
         let device =
             Device { name: "llvmpipe".into(), kind: "software device".into(), driver: "Mesa 22.3".into() };
         Results { schema: SCHEMA, device, rows: vec![row("isotropic", 2.0, 1.0), failed] }

@@ -45,7 +45,11 @@ pub fn table(results: &Results) -> String {
         rows.push((cells, note));
     }
     let width = |column: usize| {
-        rows.iter().filter_map(|(cells, _)| cells.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)
+        rows.iter()
+            .filter_map(|(cells, _)| cells.get(column))
+            .map(|cell| cell.chars().count())
+            .max()
+            .unwrap_or(0)
     };
     let widths: Vec<usize> = (0..rows[0].0.len()).map(width).collect();
     let line = |(cells, note): &(Vec<String>, String)| {
@@ -65,8 +69,8 @@ mod tests {
     #[test]
     fn columns_align() {
         let expected = "\
-scene    effect   format     encoding      N  total ms    volume  RMSE  rel. MSE    bias  bias/mean   p99    FLIP  ref. s.e.
-cornell  diffuse  isotropic  rgba16float  64      2.00  4.00 KiB  1.00     0.500  -0.250          -  2.00  0.1250     0.0625
+scene    effect   format     encoding      N  total ms   volume  RMSE  rel. MSE    bias  bias/mean   p99    FLIP  ref. s.e.
+cornell  diffuse  isotropic  rgba16float  64      2.00  4.10 kB  1.00     0.500  -0.250          -  2.00  0.1250     0.0625
 cornell  diffuse  sh2        rgba16float  64  failed: too <large>, \"so\"
 ";
         assert_eq!(super::table(&results()), expected);

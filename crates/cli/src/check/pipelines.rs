@@ -63,6 +63,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         texture_size: 64,
         masked: true,
         glossy: true,
+        sky: true,
         moving: true,
     }
 }

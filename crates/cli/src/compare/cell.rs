@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{Camera, Encoding, Fault, Faults, Formats, Grid, Pipeline, Scene, SceneFacts, one_of};
+use voxlume::{
+    Camera, Encoding, Fault, Faults, Formats, Grid, Library, Pipeline, Request, Scene, SceneFacts, one_of,
+};
 use voxlume_fault::suggest;
 use voxlume_reference::cache::SceneDigest;
 
@@ -47,9 +49,9 @@ impl Cell {
 /// Loads the scenes, and finds out which cells there are.
 pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
     let mut faults = Faults::default();
-    let formats = Formats::builtin();
-    let format_names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &args.formats, &format_names, &mut faults);
+    let builtin = Formats::builtin();
+    let names: Vec<&str> = builtin.iter().map(|format| format.name()).collect();
+    let formats = words("storage format", &args.formats, &names, &mut faults);
     let encodings = if args.encodings.is_empty() {
         vec![pipeline.encoding.value.clone()]
     } else {
@@ -59,12 +61,27 @@ pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell
     let effects = words("effect", &args.effects, &all_effects, &mut faults);
     let effects: Vec<Effect> =
         Effect::ALL.into_iter().filter(|effect| effects.iter().any(|word| word == effect.name())).collect();
-    for resolution in args.resolutions.iter().filter(|n| !Grid::RESOLUTIONS.contains(n)) {
+    let mut resolutions: Vec<u32> = Vec::new();
+    for &resolution in &args.resolutions {
+        if Grid::RESOLUTIONS.contains(&resolution) {
+            if !resolutions.contains(&resolution) {
+                resolutions.push(resolution);
+            }
+            continue;
+        }
         let choices = Grid::RESOLUTIONS.map(|n| n.to_string());
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
         faults.push(fault.note(one_of(choices.iter().map(String::as_str))));
     }
     let subjects = subjects(args, &mut faults);
+    let [width, height] = args.size;
+    for subject in &subjects {
+        // What is wrong with the pipeline or the size is so in every cell.
+        let request = Request::image(width, height);
+        let planned =
+            voxlume::plan(pipeline, &subject.facts, &Formats::builtin(), &Library::builtin(), &request);
+        faults.gather(planned);
+    }
     if !faults.is_empty() {
         return Err(faults.into());
     }
@@ -77,7 +94,7 @@ pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell
             }
             for format in &formats {
                 for encoding in &encodings {
-                    cells.extend(args.resolutions.iter().map(|&resolution| Cell {
+                    cells.extend(resolutions.iter().map(|&resolution| Cell {
                         subject,
                         effect,
                         format: format.clone(),

@@ -36,7 +36,8 @@ impl Folder {
     pub fn new(path: &Path) -> Result<Folder, Failure> {
         for part in ["cells", "images"] {
             let folder = path.join(part);
-            let cannot = |error| Fault::new(format!("cannot make the folder `{}`: {error}", folder.display()));
+            let cannot =
+                |error| Fault::new(format!("cannot make the folder `{}`: {error}", folder.display()));
             std::fs::create_dir_all(&folder).map_err(cannot)?;
         }
         Ok(Folder(path.to_path_buf()))
@@ -50,14 +51,20 @@ impl Folder {
     /// The cell, if it was finished under the same key and its pictures are there.
     pub fn finished(&self, stem: &str, key: &str) -> Option<Finished> {
         let text = std::fs::read_to_string(self.0.join("cells").join(format!("{stem}.json"))).ok()?;
-        let finished: Finished = serde_json::from_str(&text).ok().filter(|cell: &Finished| cell.key == key)?;
+        let finished: Finished =
+            serde_json::from_str(&text).ok().filter(|cell: &Finished| cell.key == key)?;
         let Pictures { image, reference, error, error_scale: _ } = &finished.pictures;
         let there = [image, reference, error].into_iter().all(|name| self.image(name).is_file());
         there.then_some(finished)
     }
 
     /// Keeps a cell, after its pictures.
-    pub fn finish(&self, stem: &str, finished: &Finished, images: Vec<(String, Vec<u8>)>) -> Result<(), Failure> {
+    pub fn finish(
+        &self,
+        stem: &str,
+        finished: &Finished,
+        images: Vec<(String, Vec<u8>)>,
+    ) -> Result<(), Failure> {
         let mut files = Vec::new();
         for (name, bytes) in images {
             files.push((OutFile::new(&self.image(&name))?, bytes));
@@ -72,7 +79,8 @@ impl Folder {
     pub fn strip(&self, row: usize, pictures: &Pictures) -> Result<Strip, Failure> {
         let read = |name: &str| {
             let path = self.image(name);
-            std::fs::read(&path).map_err(|error| Failure::work(format!("cannot read `{}`: {error}", path.display())))
+            std::fs::read(&path)
+                .map_err(|error| Failure::work(format!("cannot read `{}`: {error}", path.display())))
         };
         let Pictures { image, reference, error, error_scale } = pictures;
         Ok(Strip {

@@ -22,7 +22,13 @@ pub struct Measured {
 ///
 /// # Errors
 /// The device refuses something or is lost.
-pub fn measure(gpu: &Gpu, plan: Plan, scene: &Scene, camera: &Camera, repeat: u32) -> Result<Measured, Error> {
+pub fn measure(
+    gpu: &Gpu,
+    plan: Plan,
+    scene: &Scene,
+    camera: &Camera,
+    repeat: u32,
+) -> Result<Measured, Error> {
     let mut renderer = Renderer::new(gpu, plan, scene)?;
     renderer.render(scene, camera, Passes::All)?;
     let mut frames = Frames::default();
@@ -35,7 +41,8 @@ pub fn measure(gpu: &Gpu, plan: Plan, scene: &Scene, camera: &Camera, repeat: u3
     let is_volume = |name: &str| {
         plan.resource(name).is_some_and(|i| matches!(plan.resources[i].kind, ResourceKind::Volume { .. }))
     };
-    let volume_bytes = renderer.bytes().iter().filter(|(name, _)| is_volume(name)).map(|(_, bytes)| bytes).sum();
+    let volume_bytes =
+        renderer.bytes().iter().filter(|(name, _)| is_volume(name)).map(|(_, bytes)| bytes).sum();
     // Depth is reversed: 0 is infinitely far.
     let surface = renderer.picture("depth")?.pixels.iter().map(|pixel| pixel[0] > 0.0).collect();
     let picture = renderer.picture(&plan.resources[plan.output].name)?;

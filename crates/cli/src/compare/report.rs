@@ -19,7 +19,7 @@ pub struct Judged {
     pub error_scale: f64,
 }
 
-/// Compares the pixels in which both show a surface; emitters only in the whole image.
+/// Compares the pixels in which both show a surface; emitters only in the whole image, or where all that is seen emits.
 pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judged, Failure> {
     let image = own(effect, &measured.picture);
     let Picture { width, height, .. } = image;
@@ -28,8 +28,10 @@ pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judge
         height,
         pixels: truth.picture.mean.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect(),
     };
+    // What an emitter receives is rarely seen, unless the scene has nothing else to look at.
+    let emitters = effect == Effect::Final || !truth.seen.contains(&Seen::Surface);
     let counts = |(seen, surface): (&Seen, &bool)| {
-        *surface && (*seen == Seen::Surface || (*seen == Seen::Emitter && effect == Effect::Final))
+        *surface && (*seen == Seen::Surface || (*seen == Seen::Emitter && emitters))
     };
     let counted: Vec<bool> = truth.seen.iter().zip(&measured.surface).map(counts).collect();
     let rgb: Vec<[f32; 3]> = image.pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect();
@@ -42,7 +44,13 @@ pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judge
         counted: &counted,
     };
     let name = effect.shown_as();
-    let (image_rgb, reference_rgb) = (shown(&image, name, 1.0), shown(&reference, name, 1.0));
+    let (mut image_rgb, reference_rgb) = (shown(&image, name, 1.0), shown(&reference, name, 1.0));
+    // Effects leave black where there is no surface; the eye had better not take that for an error.
+    for (index, _) in
+        truth.seen.iter().enumerate().filter(|(i, seen)| **seen == Seen::Nothing && !measured.surface[*i])
+    {
+        image_rgb[3 * index..3 * index + 3].copy_from_slice(&reference_rgb[3 * index..3 * index + 3]);
+    }
     let errors = comparison
         .errors(&Shown { image: &image_rgb, reference: &reference_rgb })
         .map_err(|error| Failure::Work(Fault::new(error.to_string())))?;

@@ -51,7 +51,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for (number, cell) in cells.iter().enumerate() {
         let stem = cell.stem(&sweep.subjects);
         let place = format!("cell {}/{}: {stem}", number + 1, cells.len());
-        let outcome = match if interrupt::wished() { Ok(End::Interrupted) } else { sweep.cell(cell, &stem, &place) } {
+        let outcome = match if interrupt::wished() {
+            Ok(End::Interrupted)
+        } else {
+            sweep.cell(cell, &stem, &place)
+        } {
             Ok(End::Interrupted) => {
                 let (finished, all) = (results.rows.len(), cells.len());
                 let out = args.out.display();
@@ -78,7 +82,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let failed = results.rows.iter().filter(|row| matches!(row.outcome, Outcome::Failed { .. })).count();
     match failed {
         0 => Ok(()),
-        _ => Err(Failure::work(format!("{failed} of {} cells failed; results.json says why", results.rows.len()))),
+        _ => Err(Failure::work(format!(
+            "{failed} of {} cells failed; results.json says why",
+            results.rows.len()
+        ))),
     }
 }
 
@@ -146,7 +153,8 @@ impl Sweep<'_> {
             ..Request::image(self.args.size[0], self.args.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let planned = voxlume::plan(&self.pipeline, facts, &Formats::builtin(), &Library::builtin(), &request);
+        let planned =
+            voxlume::plan(&self.pipeline, facts, &Formats::builtin(), &Library::builtin(), &request);
         planned.map_err(|faults: Faults| {
             if faults.is_empty() {
                 Failure::work(format!("the plan leaves {} out", cell.effect.name()))

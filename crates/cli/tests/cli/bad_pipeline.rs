@@ -83,10 +83,10 @@ fn cycle() {
     folder.refuses(RENDER, r#"loading box.ron
 planning
 error: the passes form a cycle
-  ┌─ pipe.ron:9:9
+  ┌─ pipe.ron:9:30
   │
 9 │         (name: "other", run: "tint.wgsl", reads: ["surface", "tint"], writes: ["other"], params: (strength: 1.0)),
-  │         ^ this pass waits for itself
+  │                              ^^^^^^^^^^^ this pass waits for itself
   │
   = `other` needs `tint` from `tint`, `tint` needs `other` from `other`"#);
 }
@@ -100,10 +100,10 @@ fn missing_parameter() {
         r#"loading box.ron
 planning
 error: pass `tint` lacks the parameter `strength`
-  ┌─ pipe.ron:9:9
+  ┌─ pipe.ron:9:15
   │
 9 │         (run: "tint.wgsl", reads: ["surface"], writes: ["tint"]),
-  │         ^ a number in [0, 1]: How much of the colour remains, [0, 1]."#,
+  │               ^^^^^^^^^^^ a number in [0, 1]: How much of the colour remains."#,
     );
 }
 
@@ -113,11 +113,11 @@ fn unknown_parameter_and_one_out_of_range() {
     folder.edit("pipe.ron", PIPELINE, "strength: 0.5", "strength: 1.5, stength: 0.5");
     folder.refuses(RENDER, r#"loading box.ron
 planning
-error: parameter `strength` of pass `tint`
+error: parameter `strength` of pass `tint` can't be 1.5
   ┌─ pipe.ron:9:85
   │
 9 │         (run: "tint.wgsl", reads: ["surface"], writes: ["tint"], params: (strength: 1.5, stength: 0.5)),
-  │                                                                                     ^^^ a number in [0, 1]: How much of the colour remains, [0, 1].
+  │                                                                                     ^^^ a number in [0, 1]: How much of the colour remains.
 
 error: pass `tint` has no parameter `stength`
   ┌─ pipe.ron:9:90

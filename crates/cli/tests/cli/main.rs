@@ -5,6 +5,7 @@ mod bad_output;
 mod bad_pipeline;
 mod bad_scene;
 mod check;
+mod compare;
 mod explain;
 mod folder;
 mod render;

@@ -47,7 +47,8 @@ impl Frame {
         for (to, from) in level_words.iter_mut().zip(grid.word_offsets().0) {
             *to = from;
         }
-        let emission = scene.materials.iter().map(|material| material.emission.max_element()).fold(0.0, f32::max);
+        let emission =
+            scene.materials.iter().map(|material| material.emission.max_element()).fold(0.0, f32::max);
         Frame {
             view_projection: projection * view,
             eye,

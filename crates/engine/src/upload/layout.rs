@@ -40,8 +40,11 @@ fn in_wgsl(module: &str, name: &str) -> StructLayout {
 fn difference(rust: &Layout, wgsl: &StructLayout) -> Option<String> {
     let of_rust: Vec<String> =
         rust.fields.iter().map(|(name, offset, size)| format!("{name}: {size} bytes at {offset}")).collect();
-    let of_wgsl: Vec<String> =
-        wgsl.fields.iter().map(|field| format!("{}: {} bytes at {}", field.name, field.size, field.offset)).collect();
+    let of_wgsl: Vec<String> = wgsl
+        .fields
+        .iter()
+        .map(|field| format!("{}: {} bytes at {}", field.name, field.size, field.offset))
+        .collect();
     let whole = rust.size as u64 != wgsl.size;
     (of_rust != of_wgsl || whole)
         .then(|| format!("Rust, {} bytes: {of_rust:#?}\nWGSL, {} bytes: {of_wgsl:#?}", rust.size, wgsl.size))

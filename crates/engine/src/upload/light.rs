@@ -93,7 +93,8 @@ fn shadow_matrices(light: &SceneLight, plan: &Plan, radius: f32) -> Vec<Mat4> {
     let near = radius * 1e-3;
     match light.kind {
         LightKind::Directional { direction, .. } => {
-            let view = view::look_to_mat4(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
+            let view =
+                view::look_to_mat4(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
             vec![directx::orthographic(-radius, radius, -radius, radius, radius * 0.9, radius * 3.1) * view]
         }
         LightKind::Spot { position, direction, outer, .. } => {
@@ -107,7 +108,8 @@ fn shadow_matrices(light: &SceneLight, plan: &Plan, radius: f32) -> Vec<Mat4> {
             let far = eye.length() + 2.0 * radius;
             let projection = directx::perspective(std::f32::consts::FRAC_PI_2, 1.0, near, far);
             let axes = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
-            axes.map(|axis| projection * view::look_to_mat4(eye, axis, axis.any_orthonormal_vector())).to_vec()
+            axes.map(|axis| projection * view::look_to_mat4(eye, axis, axis.any_orthonormal_vector()))
+                .to_vec()
         }
     }
 }

@@ -31,11 +31,8 @@ pub(crate) fn vertices(geometry: &Geometry) -> Vec<Vertex> {
 fn octahedral(n: Vec3) -> [i16; 2] {
     let n = n / (n.x.abs() + n.y.abs() + n.z.abs()).max(1e-30);
     let sign = |v: f32| if v >= 0.0 { 1.0 } else { -1.0 };
-    let (x, y) = if n.z >= 0.0 {
-        (n.x, n.y)
-    } else {
-        ((1.0 - n.y.abs()) * sign(n.x), (1.0 - n.x.abs()) * sign(n.y))
-    };
+    let (x, y) =
+        if n.z >= 0.0 { (n.x, n.y) } else { ((1.0 - n.y.abs()) * sign(n.x), (1.0 - n.x.abs()) * sign(n.y)) };
     [x, y].map(|v| (v.clamp(-1.0, 1.0) * 32767.0).round() as i16)
 }
 
@@ -55,7 +52,8 @@ mod tests {
     use super::*;
 
     fn decode(bits: u32) -> Vec3 {
-        let [x, y] = [bits as u16 as i16, (bits >> 16) as u16 as i16].map(|v| (f32::from(v) / 32767.0).max(-1.0));
+        let [x, y] =
+            [bits as u16 as i16, (bits >> 16) as u16 as i16].map(|v| (f32::from(v) / 32767.0).max(-1.0));
         let mut v = Vec3::new(x, y, 1.0 - x.abs() - y.abs());
         let t = (-v.z).max(0.0);
         v.x += if v.x >= 0.0 { -t } else { t };

@@ -29,12 +29,17 @@ pub(crate) fn layers(scene: &Scene) -> Vec<i32> {
 }
 
 pub(crate) fn array(scene: &Scene, srgb: bool, size: u32) -> TextureArray {
-    let chains: Vec<Vec<Vec<u8>>> =
-        scene.textures.par_iter().filter(|texture| texture.srgb == srgb).map(|texture| chain(texture, size)).collect();
+    let chains: Vec<Vec<Vec<u8>>> = scene
+        .textures
+        .par_iter()
+        .filter(|texture| texture.srgb == srgb)
+        .map(|texture| chain(texture, size))
+        .collect();
     if chains.is_empty() {
         return TextureArray { size: 1, layers: 1, levels: vec![vec![255; 4]] };
     }
-    let levels = (0..chains[0].len()).map(|level| chains.iter().flat_map(|c| c[level].iter().copied()).collect());
+    let levels =
+        (0..chains[0].len()).map(|level| chains.iter().flat_map(|c| c[level].iter().copied()).collect());
     TextureArray { size, layers: chains.len() as u32, levels: levels.collect() }
 }
 

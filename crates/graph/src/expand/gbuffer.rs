@@ -12,8 +12,9 @@ pub(crate) fn gbuffer(e: &mut Expansion<'_, '_>) {
         ("geometry", ImageTexel::Rgba16Float),
         ("emission", ImageTexel::Rgba16Float),
     ];
-    let colors = targets
-        .map(|(name, texel)| e.context.surface_images.contains(name).then(|| e.context.resource(name, image(texel))));
+    let colors = targets.map(|(name, texel)| {
+        e.context.surface_images.contains(name).then(|| e.context.resource(name, image(texel)))
+    });
     let emission = [("HAS_EMISSION", e.context.facts.emissive)];
     let binds = Binds { constants: &emission, ..Binds::default() };
     if let Some(program) = e.program_of("pass/gbuffer", &["vertex_main", "fragment_main"], &binds) {

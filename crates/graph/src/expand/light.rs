@@ -13,51 +13,56 @@ pub(crate) fn light(e: &mut Expansion<'_, '_>) {
     let occlusion = e.params.word(kind, "occlusion", &mut e.context.faults);
     // Read already, when the lights were chosen.
     e.params.word(kind, "emission", &mut e.context.faults);
-    let gathered = e.reads("emitted") && e.context.available.contains("emitted");
-    if !gathered {
-        e.context.radiance = e.context.resource("radiance", RADIANCE);
-    }
+    e.context.radiance = e.context.resource("radiance", RADIANCE);
+    e.context.first = match e.reads("emitted") && e.context.available.contains("emitted") {
+        true => e.context.resource("emitted", RADIANCE),
+        false => e.context.radiance,
+    };
     e.uses("emitted");
     e.uses("shadow_maps");
     let maps = occlusion == Some("shadow_map") && e.context.available.contains("shadow_maps");
     let direct = [("direct", Target::Resource(e.context.radiance))];
-    let constants = [("USE_SHADOW_MAP", maps), ("ADD_TO_GATHERED", gathered)];
+    let constants = [("USE_SHADOW_MAP", maps)];
     e.compute_cells("pass/light", &Binds { targets: &direct, constants: &constants, effect: "" }, 0);
 }
 
 pub(crate) fn filter(e: &mut Expansion<'_, '_>) {
     e.uses("radiance");
-    let radiance = e.context.radiance;
-    store_and_mipmap(e, radiance);
+    let first = e.context.first;
+    store_and_mipmap(e, first);
 }
 
 pub(crate) fn bounce(e: &mut Expansion<'_, '_>) {
     let kind = e.kind;
-    let bounces = e.params.whole(kind, "bounces", &mut e.context.faults).unwrap_or(0);
+    let bounces = e.params.whole(kind, "bounces", &mut e.context.faults);
     e.uses("radiance");
     let direct = e.context.radiance;
-    for _ in 0..bounces {
+    // Where the number is at fault, one has the other parameters checked.
+    for _ in 0..bounces.unwrap_or(1) {
         let bounced = e.context.resource("bounced", RADIANCE);
-        gather(e, direct, bounced);
+        gather(e, direct, bounced, true);
         store_and_mipmap(e, bounced);
     }
 }
 
 pub(crate) fn emission(e: &mut Expansion<'_, '_>) {
-    let own = e.context.resource("emission_alone", RADIANCE);
+    // Held for as long as it takes, where the direct light comes after.
+    let own = e.context.resource("radiance", RADIANCE);
     let gathered = e.context.resource("emitted", RADIANCE);
     let targets = [("direct", Target::Resource(own))];
     e.compute_cells("pass/emission", &Binds { targets: &targets, ..Binds::default() }, 0);
     store_and_mipmap(e, own);
-    gather(e, own, gathered);
-    e.context.radiance = gathered;
+    gather(e, own, gathered, false);
 }
 
-fn gather(e: &mut Expansion<'_, '_>, direct: usize, bounced: usize) {
+/// What every voxel reflects of the volume, with its own light or without.
+fn gather(e: &mut Expansion<'_, '_>, direct: usize, bounced: usize, add_direct: bool) {
     let targets = [("direct", Target::Resource(direct)), ("bounced", Target::Resource(bounced))];
     let volumes = volume_targets(e);
-    let all: Vec<_> = targets.into_iter().chain(volumes.iter().map(|(n, t)| (n.as_str(), t.clone()))).collect();
-    e.compute_cells("pass/bounce", &Binds { targets: &all, ..Binds::default() }, 0);
+    let all: Vec<_> =
+        targets.into_iter().chain(volumes.iter().map(|(n, t)| (n.as_str(), t.clone()))).collect();
+    let constants = [("ADD_DIRECT", add_direct)];
+    e.compute_cells("pass/bounce", &Binds { targets: &all, constants: &constants, effect: "" }, 0);
 }
 
 /// The format's volumes, made at their first use.
@@ -68,23 +73,27 @@ fn volumes(e: &mut Expansion<'_, '_>) -> Vec<(Volume, usize)> {
     volumes
         .iter()
         .map(|volume| {
-            let kind = ResourceKind::Volume { size: volume.size(grid), mips: volume.mip_levels(grid), encoding };
+            let kind =
+                ResourceKind::Volume { size: volume.size(grid), mips: volume.mip_levels(grid), encoding };
             (*volume, e.context.resource(volume.name, kind))
         })
         .collect()
 }
 
 fn volume_targets(e: &mut Expansion<'_, '_>) -> Vec<(String, Target)> {
-    volumes(e).into_iter().map(|(volume, resource)| (volume.name.to_owned(), Target::Resource(resource))).collect()
+    volumes(e)
+        .into_iter()
+        .map(|(volume, resource)| (volume.name.to_owned(), Target::Resource(resource)))
+        .collect()
 }
 
 fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
     let volumes = volumes(e);
     e.uses("volume");
     let mut targets = vec![("slot_radiance".to_owned(), Target::Resource(radiance))];
-    targets.extend(volumes.iter().filter(|(volume, _)| volume.first_level() == 0).map(|(volume, resource)| {
-        (format!("{}_level0", volume.name), Target::Mip { resource: *resource, mip: 0 })
-    }));
+    targets.extend(volumes.iter().filter(|(volume, _)| volume.first_level() == 0).map(
+        |(volume, resource)| (format!("{}_level0", volume.name), Target::Mip { resource: *resource, mip: 0 }),
+    ));
     let named: Vec<_> = targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
     e.compute_cells("pass/store", &Binds { targets: &named, ..Binds::default() }, 0);
 
@@ -102,7 +111,8 @@ fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
             targets.push((format!("{}_source", volume.name), view(level - 1)));
             targets.push((format!("{}_target", volume.name), view(level)));
         }
-        let mut named: Vec<_> = targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
+        let mut named: Vec<_> =
+            targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
         named.push(step_params(level));
         e.compute_cells("pass/mipmap", &Binds { targets: &named, ..Binds::default() }, level);
     }

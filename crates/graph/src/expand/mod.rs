@@ -59,6 +59,8 @@ pub(crate) struct Context<'a> {
     pub faults: Faults,
     /// The buffer with every voxel's light that stays from bounce to bounce.
     pub radiance: usize,
+    /// The buffer with what the volume holds first: the same, or with what is gathered of emission.
+    pub first: usize,
 }
 
 impl<'a> Context<'a> {
@@ -90,6 +92,7 @@ impl<'a> Context<'a> {
             left_out: Vec::new(),
             faults: Faults::default(),
             radiance: 0,
+            first: 0,
         }
     }
 
@@ -197,12 +200,20 @@ impl<'c, 'a> Expansion<'c, 'a> {
     }
 
     /// Links a shader and binds what several of its entry points use together.
-    pub fn program_of(&mut self, module: &str, entries: &[&'static str], binds: &Binds<'_>) -> Option<Program> {
+    pub fn program_of(
+        &mut self,
+        module: &str,
+        entries: &[&'static str],
+        binds: &Binds<'_>,
+    ) -> Option<Program> {
         let shader = self.context.shader(module, binds.effect)?;
         let mut bindings: Vec<Binding> = Vec::new();
         for entry in entries {
             for binding in self.context.shaders[shader].bindings(entry) {
-                if !bindings.iter().any(|other| (other.group, other.binding) == (binding.group, binding.binding)) {
+                if !bindings
+                    .iter()
+                    .any(|other| (other.group, other.binding) == (binding.group, binding.binding))
+                {
                     bindings.push(binding);
                 }
             }
@@ -216,7 +227,13 @@ impl<'c, 'a> Expansion<'c, 'a> {
                     Some((_, target)) => target.clone(),
                     None => self.target(&binding, shader)?,
                 };
-                Some(Bind { group: binding.group, binding: binding.binding, name: binding.name, kind: binding.kind, target })
+                Some(Bind {
+                    group: binding.group,
+                    binding: binding.binding,
+                    name: binding.name,
+                    kind: binding.kind,
+                    target,
+                })
             })
             .collect::<Vec<Option<Bind>>>();
         let constants = self.constants(shader, binds.constants);
@@ -234,8 +251,10 @@ impl<'c, 'a> Expansion<'c, 'a> {
         declared
             .iter()
             .filter_map(|item| {
-                let given = own.iter().find(|(name, _)| *name == item.name).map(|(_, on)| f64::from(u8::from(*on)));
-                let value = given.or_else(|| known.iter().find(|(name, _)| *name == item.name).map(|(_, v)| *v));
+                let given =
+                    own.iter().find(|(name, _)| *name == item.name).map(|(_, on)| f64::from(u8::from(*on)));
+                let value =
+                    given.or_else(|| known.iter().find(|(name, _)| *name == item.name).map(|(_, v)| *v));
                 // `HAS_X` of an image x says whether it is there to be read.
                 let image = || {
                     let image = item.name.strip_prefix("HAS_")?.to_lowercase();
@@ -275,14 +294,19 @@ impl<'c, 'a> Expansion<'c, 'a> {
             return Some(self.context.known(name).map_or(Target::Nothing, Target::Resource));
         }
         let optional = self.kind.reads.iter().any(|port| port.name == group && port.optional);
-        let guarded = self.context.shaders[shader].overrides().iter().any(|o| o.name == format!("HAS_{}", name.to_uppercase()));
+        let guarded = self.context.shaders[shader]
+            .overrides()
+            .iter()
+            .any(|o| o.name == format!("HAS_{}", name.to_uppercase()));
         if optional || guarded {
             return Some(Target::Nothing);
         }
         let message = format!("pass `{}` uses `{group}` without reading it", self.entry.name);
         let label = format!("its shader's variable `{name}` needs `{group}` in `reads`");
-        let fault = self.context.pipeline.fault(&self.entry.run.span, message, label);
-        self.context.faults.push(fault);
+        // A volume is several textures.
+        if !self.context.faults.iter().any(|fault| fault.message == message) {
+            self.context.faults.push(self.context.pipeline.fault(&self.entry.run.span, message, label));
+        }
         None
     }
 
@@ -299,7 +323,10 @@ impl<'c, 'a> Expansion<'c, 'a> {
                 self.context.faults.push(self.context.pipeline.fault(&name.span, message, "read in vain"));
             }
         }
-        self.params.finish(&mut self.context.faults);
+        // Without its shader a pass's parameters are unknown.
+        if !self.steps.is_empty() || self.kind.name == "bounce" {
+            self.params.finish(&mut self.context.faults);
+        }
         self.steps
     }
 

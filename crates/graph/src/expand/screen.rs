@@ -15,27 +15,16 @@ pub(crate) fn effect(e: &mut Expansion<'_, '_>) {
 }
 
 fn over_pixels(e: &mut Expansion<'_, '_>, module: &str, effect: &str) {
-    let [write] = e.entry.writes.as_slice() else {
-        let message = format!("pass `{}` must write one image", e.entry.name);
-        let fault = e.context.pipeline.fault(&Some(e.entry.span.clone()), message, "`writes: [\"name\"]`");
-        e.context.faults.push(fault);
-        return;
-    };
-    let layers = match &e.entry.layers {
-        Some(word) if word.value == "lights" => e.context.light_count().div_ceil(4).max(1),
-        Some(word) => {
-            let label = "one of: lights (a layer for each four)";
-            e.context.faults.push(e.context.pipeline.fault(&word.span, "unknown number of layers", label));
-            return;
-        }
-        None => 1,
-    };
+    // That there is one has been checked, and that the word is `lights`.
+    let Some(write) = e.entry.writes.first() else { return };
+    let layers = if e.entry.layers.is_some() { e.context.light_count().div_ceil(4).max(1) } else { 1 };
     let kind = ResourceKind::Image { texel: ImageTexel::Rgba16Float, layers };
     let image = [("image", Target::Resource(e.context.resource(&write.value, kind)))];
     if !effect.is_empty() && e.context.effect(effect).is_none() {
         return;
     }
-    let Some(program) = e.program(module, "main", &Binds { targets: &image, effect, ..Binds::default() }) else {
+    let Some(program) = e.program(module, "main", &Binds { targets: &image, effect, ..Binds::default() })
+    else {
         return;
     };
     let [width, height] = e.context.screen;

@@ -58,7 +58,13 @@ impl Expansion<'_, '_> {
     }
 
     /// Adds a dispatch.
-    pub(crate) fn compute_groups(&mut self, module: &str, entry: &'static str, binds: &Binds<'_>, groups: Groups) {
+    pub(crate) fn compute_groups(
+        &mut self,
+        module: &str,
+        entry: &'static str,
+        binds: &Binds<'_>,
+        groups: Groups,
+    ) {
         if let Some(program) = self.program(module, entry, binds) {
             self.steps.push(Step::Compute { program, groups });
         }

@@ -27,6 +27,7 @@ pub fn rich() -> SceneFacts {
         texture_size: 256,
         masked: true,
         glossy: true,
+        sky: true,
         moving: true,
     }
 }
@@ -52,7 +53,11 @@ pub fn request() -> Request {
 }
 
 /// Plans with the built-in formats and shaders.
-pub fn plan(pipeline: &Pipeline, facts: &SceneFacts, request: &Request) -> Result<Plan, voxlume_fault::Faults> {
+pub fn plan(
+    pipeline: &Pipeline,
+    facts: &SceneFacts,
+    request: &Request,
+) -> Result<Plan, voxlume_fault::Faults> {
     voxlume_graph::plan(pipeline, facts, &Formats::builtin(), &Library::builtin(), request)
 }
 

@@ -7,60 +7,138 @@ use crate::common::{message, message_for, request};
 
 #[test]
 fn format() {
-    assert_snapshot!(message(&[(r#""six_face""#, r#""sixface""#)]), @"");
-    assert_snapshot!(message_for(&[], &Request { format: Some("cubes".into()), ..request() }), @"");
+    assert_snapshot!(message(&[(r#""six_face""#, r#""sixface""#)]), @r#"
+    error: unknown storage format `sixface`
+      ┌─ p.ron:2:13
+      │
+    2 │     format: "sixface",
+      │             ^^^^^^^^^ did you mean `six_face`? one of: isotropic, six_face, sh2
+    "#);
+    assert_snapshot!(message_for(&[], &Request { format: Some("cubes".into()), ..request() }), @r#"
+    error: unknown storage format `cubes`
+     = one of: isotropic, six_face, sh2
+    "#);
 }
 
 #[test]
 fn encoding() {
-    assert_snapshot!(message(&[(r#""rgba16float""#, r#""rgba16""#)]), @"");
-    assert_snapshot!(message_for(&[], &Request { encoding: Some("RGBA16Float".into()), ..request() }), @"");
+    assert_snapshot!(message(&[(r#""rgba16float""#, r#""rgba16""#)]), @r#"
+    error: unknown encoding `rgba16`
+      ┌─ p.ron:3:15
+      │
+    3 │     encoding: "rgba16",
+      │               ^^^^^^^^ one of: rgba16float
+    "#);
+    assert_snapshot!(message_for(&[], &Request { encoding: Some("RGBA16Float".into()), ..request() }), @r#"
+    error: unknown encoding `RGBA16Float`
+     = did you mean `rgba16float`? one of: rgba16float
+    "#);
 }
 
 #[test]
 fn resolution() {
-    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: 100"#)]), @"");
-    assert_snapshot!(message_for(&[], &Request { resolution: Some(1024), ..request() }), @"");
-    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: -1"#)]), @"");
+    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: 100"#)]), @r#"
+    error: a grid of 100 × 100 × 100 voxels
+      ┌─ p.ron:4:17
+      │
+    4 │     resolution: 100,
+      │                 ^^^ one of: 16, 32, 64, 128, 256, 512
+    "#);
+    assert_snapshot!(message_for(&[], &Request { resolution: Some(1024), ..request() }), @r#"
+    error: a grid of 1024 × 1024 × 1024 voxels
+     = one of: 16, 32, 64, 128, 256, 512
+    "#);
+    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: -1"#)]), @r#"
+    error: expected a whole number from 0 to 4294967295, found `-1`
+      ┌─ p.ron:4:17
+      │
+    4 │     resolution: -1,
+      │                 ^^
+    "#);
 }
 
 #[test]
 fn separability() {
-    assert_snapshot!(message(&[(r#""conservative""#, r#""thick""#)]), @"");
+    assert_snapshot!(message(&[(r#""conservative""#, r#""thick""#)]), @r#"
+    error: unknown separability `thick`
+      ┌─ p.ron:5:19
+      │
+    5 │     separability: "thick",
+      │                   ^^^^^^^ one of: conservative, thin
+    "#);
 }
 
 /// A volume or buffer is no image.
 #[test]
 fn output() {
-    assert_snapshot!(message(&[(r#"output: "final""#, r#"output: "difuse""#)]), @"");
-    assert_snapshot!(message_for(&[], &Request { output: Some("shadow".into()), ..request() }), @"");
+    assert_snapshot!(message(&[(r#"output: "final""#, r#"output: "difuse""#)]), @r#"
+    error: unknown output `difuse`
+      ┌─ p.ron:6:13
+      │
+    6 │     output: "difuse",
+      │             ^^^^^^^^ did you mean `diffuse`? one of: diffuse, specular, final, albedo, normal, geometry, depth, emission
+    "#);
+    assert_snapshot!(message_for(&[], &Request { output: Some("shadow".into()), ..request() }), @r#"
+    error: unknown output `shadow`
+     = one of: diffuse, specular, final, albedo, normal, geometry, depth, emission
+    "#);
 }
 
 #[test]
 fn output_of_no_image() {
-    assert_snapshot!(message_for(&[], &Request { output: Some("volume".into()), ..request() }), @"");
+    assert_snapshot!(message_for(&[], &Request { output: Some("volume".into()), ..request() }), @r#"
+    error: unknown output `volume`
+     = one of: diffuse, specular, final, albedo, normal, geometry, depth, emission
+    "#);
 }
 
 #[test]
 fn missing_field() {
     assert_snapshot!(message(&[(r#"    encoding: "rgba16float",
-"#, r#""#)]), @"");
+"#, r#""#)]), @r#"
+    error: missing field `encoding`
+      ┌─ p.ron:1:1
+      │
+    1 │ (
+      │ ^ needed here
+    "#);
 }
 
 #[test]
 fn unknown_field() {
-    assert_snapshot!(message(&[(r#"output:"#, r#"outptu: 1, output:"#)]), @"");
+    assert_snapshot!(message(&[(r#"output:"#, r#"outptu: 1, output:"#)]), @r#"
+    error: unknown field `outptu`
+      ┌─ p.ron:6:5
+      │
+    6 │     outptu: 1, output: "final",
+      │     ^^^^^^ did you mean `output`? one of: format, encoding, resolution, separability, output, passes
+    "#);
 }
 
 #[test]
 fn picture_size() {
-    assert_snapshot!(message_for(&[], &Request::image(0, 48)), @"");
-    assert_snapshot!(message_for(&[], &Request::image(64, 100_000)), @"");
+    assert_snapshot!(message_for(&[], &Request::image(0, 48)), @r#"
+    error: an image of 0 × 48 pixels
+     = each side: 1 to 8192
+    "#);
+    assert_snapshot!(message_for(&[], &Request::image(64, 100_000)), @r#"
+    error: an image of 64 × 100000 pixels
+     = each side: 1 to 8192
+    "#);
 }
 
 #[test]
 fn set() {
-    assert_snapshot!(message_for(&[], &Request { set: vec![("difuse".into(), "step".into(), Value::Number(1.0))], ..request() }), @"");
-    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @"");
-    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @"");
+    assert_snapshot!(message_for(&[], &Request { set: vec![("difuse".into(), "step".into(), Value::Number(1.0))], ..request() }), @r#"
+    error: no pass is called `difuse`
+     = did you mean `diffuse`? one of: voxelize, shadow_maps, light, filter, bounce, gbuffer, diffuse, specular, composite
+    "#);
+    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @r#"
+    error: pass `diffuse` has no parameter `stp`
+     = did you mean `step`? one of: stepper, step, start
+    "#);
+    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @r#"
+    error: parameter `step` of pass `diffuse` can't be 7
+     = a number in (0, 1]: Step over cell size, of the tangent spheres.
+    "#);
 }

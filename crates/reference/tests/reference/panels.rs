@@ -32,15 +32,22 @@ fn scene(occluder: &[[Vec3; 4]]) -> Scene {
 /// A board halfway up hides the lamp beyond x = 1: weighted by what they give, more than half is left.
 #[test]
 fn visibility_is_weighted_by_irradiance() {
-    let board =
-        [Vec3::new(0.5, 0.5, -0.1), Vec3::new(3.0, 0.5, -0.1), Vec3::new(3.0, 0.5, 3.0), Vec3::new(0.5, 0.5, 3.0)];
+    let board = [
+        Vec3::new(0.5, 0.5, -0.1),
+        Vec3::new(3.0, 0.5, -0.1),
+        Vec3::new(3.0, 0.5, 3.0),
+        Vec3::new(0.5, 0.5, 3.0),
+    ];
     let camera = look(Vec3::new(-1.0, 0.4, -0.3), Vec3::ZERO);
     let quantity = panel(lamp(2.0, 1.0), false);
     let expected = form_factor(1.0, 1.0) / form_factor(2.0, 1.0);
     assert!(expected > 0.6);
     // The pixels' 10⁻⁴ of the view move the answer by no more than that.
     let (mean, error) = measure(&scene(&[board]), &request(camera.clone(), quantity, 1000));
-    assert!(error < 0.001 && (mean - expected).abs() < 3.0 * error + 2e-4, "{mean} ± {error}, expected {expected}");
+    assert!(
+        error < 0.001 && (mean - expected).abs() < 3.0 * error + 2e-4,
+        "{mean} ± {error}, expected {expected}"
+    );
     assert_eq!(measure(&scene(&[]), &request(camera, quantity, 16)), (1.0, 0.0));
 }
 
@@ -49,7 +56,8 @@ fn a_back_gives_nothing_unless_it_emits() {
     let camera = look(Vec3::new(-1.0, 0.4, -0.3), Vec3::ZERO);
     let mut corners = lamp(2.0, 1.0);
     corners.reverse();
-    let of = |double_sided| measure(&scene(&[]), &request(camera.clone(), panel(corners, double_sided), 16)).0;
+    let of =
+        |double_sided| measure(&scene(&[]), &request(camera.clone(), panel(corners, double_sided), 16)).0;
     assert_eq!((of(false), of(true)), (0.0, 1.0));
 }
 

@@ -1,0 +1,136 @@
+//! `voxlume compare` and `voxlume reference`, on whatever device there is.
+
+use serde_json::Value;
+
+use crate::folder::{Folder, Ran};
+
+const CORNELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.ron");
+const SMALL: &str = "--size 32x32 --resolutions 32 --spp 4 --repeat 1 --formats isotropic";
+
+fn compare(folder: &Folder, more: &str) -> Ran {
+    folder.run(&format!("compare {CORNELL} {SMALL} --out out {more}"))
+}
+
+fn text(folder: &Folder, name: &str) -> String {
+    std::fs::read_to_string(folder.path().join(name)).unwrap()
+}
+
+fn rows(folder: &Folder) -> Vec<Value> {
+    let results: Value = serde_json::from_str(&text(folder, "out/results.json")).unwrap();
+    assert_eq!(results["schema"], 1);
+    results["rows"].as_array().unwrap().clone()
+}
+
+#[test]
+fn a_sweep_is_reported_and_not_run_twice() {
+    let folder = Folder::new();
+    let ran = compare(&folder, "");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let effects: Vec<Value> = rows(&folder).iter().map(|row| row["effect"].clone()).collect();
+    // Nothing is glossy in it.
+    assert_eq!(effects, ["soft_shadow", "ambient_occlusion", "diffuse", "final"]);
+    for row in rows(&folder) {
+        assert!(
+            row["total_ms"].as_f64().unwrap() > 0.0 && row["volume_bytes"].as_u64().unwrap() > 0,
+            "{row}"
+        );
+        // A first guard against comparing with something else: it is far nearer than black would be.
+        assert!(row["error"]["bias_rel"].as_f64().unwrap().abs() < 0.5, "{row}");
+    }
+    assert_eq!(text(&folder, "out/results.csv").lines().count(), 5);
+    assert_eq!(ran.stdout.lines().count(), 5);
+    let page = text(&folder, "out/report.html");
+    // Image and error of each effect, and a reference for each.
+    assert_eq!(page.matches("data:image/png;base64,").count(), 12);
+
+    // The same figures, times included: nothing was measured again.
+    let before = text(&folder, "out/results.json");
+    assert_eq!(compare(&folder, "").code, Some(0));
+    assert_eq!(text(&folder, "out/results.json"), before);
+
+    // A finished cell that is damaged, or of other settings, is made again.
+    let cell = folder.path().join("out/cells/cornell-diffuse-isotropic-rgba16float-32.json");
+    std::fs::write(&cell, "{").unwrap();
+    assert_eq!(compare(&folder, "--effects diffuse").code, Some(0));
+    assert!(std::fs::read_to_string(&cell).unwrap().len() > 100);
+    let error = |rows: &[Value]| rows[0]["error"]["reference_se"].as_f64().unwrap();
+    let noisy = error(&rows(&folder));
+    assert_eq!(compare(&folder, "--effects diffuse --spp 64").code, Some(2));
+    let more = folder.run(&format!(
+        "compare {CORNELL} --size 32x32 --resolutions 32 --spp 64 --repeat 1 --formats isotropic --effects diffuse --out out"
+    ));
+    assert_eq!(more.code, Some(0), "{}", more.stderr);
+    assert!(error(&rows(&folder)) < 0.6 * noisy);
+}
+
+#[test]
+fn a_cell_that_fails_leaves_the_others() {
+    let folder = Folder::new();
+    let pipeline = include_str!("../../../../pipelines/gi.ron");
+    // Only what looks at ambient occlusion plans that pass.
+    folder.edit("broken.ron", pipeline, "falloff: 4.0", "fallof: 4.0");
+    let ran = compare(&folder, "--pipeline broken.ron --effects ambient_occlusion,diffuse");
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.stderr.ends_with("1 of 2 cells failed; results.json says why\n"), "{}", ran.stderr);
+    let rows = rows(&folder);
+    assert!(rows[0]["fault"].as_str().unwrap().contains("`fallof`"), "{}", rows[0]);
+    assert!(rows[1]["error"]["rmse"].is_f64());
+}
+
+#[test]
+fn unknown_words() {
+    Folder::new().refuses(
+        "compare box.ron --formats sh3 --encodings rgba --resolutions 33 --effects ao --out out",
+        "loading
+error: unknown storage format `sh3`
+ = did you mean `sh2`? one of: isotropic, six_face, sh2, or all
+
+error: unknown encoding `rgba`
+ = one of: rgba16float, or all
+
+error: unknown effect `ao`
+ = one of: soft_shadow, ambient_occlusion, diffuse, specular, final, or all
+
+error: a grid of 33 × 33 × 33 voxels
+ = one of: 16, 32, 64, 128, 256, 512",
+    );
+}
+
+#[test]
+fn what_no_cell_can_do_is_refused_at_once() {
+    Folder::new().refuses(
+        "compare box.ron --size 0x64 --out out",
+        "loading\nerror: an image of 0 × 64 pixels\n = each side: 1 to 8192",
+    );
+}
+
+#[test]
+fn a_scene_given_twice() {
+    Folder::new()
+        .refuses("compare box.ron box.ron --out out", "loading\nerror: scene `box.ron` is given twice");
+}
+
+#[test]
+fn a_reference_is_written_with_its_error() {
+    let folder = Folder::new();
+    let ran = folder
+        .run(&format!("reference {CORNELL} --effect soft_shadow --size 16x12 --spp 4 -o a.png -o a.exr"));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!(
+        ran.stdout.starts_with("soft_shadow of cornell · 16 × 12 pixels, 4 samples each\nmean "),
+        "{}",
+        ran.stdout
+    );
+    let png = image::open(folder.path().join("a.png")).unwrap().into_rgb8();
+    assert_eq!(png.dimensions(), (16, 12));
+    // Light on the floor, and dark beneath the ceiling, which the lamp doesn't face.
+    assert!(png.pixels().any(|p| p[0] > 250) && png.pixels().any(|p| p[0] < 5));
+    folder.refuses(
+        "reference box.ron --effect soft_shadow -o b.png",
+        "loading box.ron\nerror: the scene has no light to cast a shadow",
+    );
+    folder.refuses(
+        "reference box.ron --camera top -o b.png",
+        "loading box.ron\nerror: unknown camera `top`\n = one of: front, side",
+    );
+}
