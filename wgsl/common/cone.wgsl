@@ -88,7 +88,7 @@ fn cone_step(cone: Cone, settings: ConeSettings, t: f32) -> ConeStep {
         return ConeStep(cell * COS_30, doubling, SHARE * cell, 2.0 * cell, true);
     }
     let width = 2.0 * cone.sine * t / max(1.0 - settings.step * cone.sine, 0.1);
-    let level = min(floor(log2(max(width, 1.0)) + 0.5), clear);
+    let level = min(log2(max(width, 1.0)), clear);
     let length = min(settings.step * exp2(level), max(cone.reach - t, 0.01));
     return ConeStep(t + 0.5 * length, level, length, t + length, false);
 }

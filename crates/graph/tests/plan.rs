@@ -99,7 +99,7 @@ fn everything_is_planned_where_everything_is_needed() {
         request.format = Some(format.name().into());
         for resolution in [16, 64, 512] {
             request.resolution = Some(resolution);
-            let lit_by_polygons = gi_for(&rich(), &request);
+            let lit_by_polygons = gi_for(&SceneFacts { sky: false, ..rich() }, &request);
             is_in_order(&lit_by_polygons);
             let pipeline = gi();
             let mut all: Vec<&str> = pipeline.passes.iter().map(|pass| pass.name.as_str()).collect();
@@ -108,9 +108,12 @@ fn everything_is_planned_where_everything_is_needed() {
             let mut planned = names(&lit_by_polygons);
             planned.sort_unstable();
             assert_eq!(planned, all, "{}", format.name());
-            let gathered = gi_for(&SceneFacts { polygons: None, ..rich() }, &request);
-            is_in_order(&gathered);
-            assert_eq!(gathered.passes.len(), pipeline.passes.len(), "{}", format.name());
+            let emission = SceneFacts { polygons: None, sky: false, ..rich() };
+            for facts in [emission, rich()] {
+                let gathered = gi_for(&facts, &request);
+                is_in_order(&gathered);
+                assert_eq!(gathered.passes.len(), pipeline.passes.len(), "{}", format.name());
+            }
         }
     }
 }
