@@ -126,6 +126,15 @@ pub fn plan(
     explain_channels(&mut context);
     limits::check_resources(pipeline, &mut context);
     let output = context.resources.iter().position(|resource| resource.name == pipeline.output.value);
+    if output.is_none() && context.faults.is_empty() {
+        let name = &pipeline.output.value;
+        let makes_it = |pass: &&PassEntry| makes(pass, name);
+        let pass = pipeline.passes.iter().find(makes_it).map(|pass| format!("pass `{}`", pass.name));
+        let why = context.left_out.iter().find(|item| Some(&item.what) == pass.as_ref());
+        let why = why.map(|item| item.why.clone()).unwrap_or_default();
+        let message = format!("this scene has no `{name}`");
+        context.faults.push(pipeline.fault(&pipeline.output.span, message, why));
+    }
     let Context { shaders, resources, left_out, faults, grid, .. } = context;
     let Some(output) = output.filter(|_| faults.is_empty()) else { return Err(faults) };
     Ok(Plan {
