@@ -258,5 +258,5 @@ fn an_output_that_the_scene_leaves_out_is_a_fault_with_its_reason() {
         &request,
     )
     .unwrap_err();
-    assert_eq!(faults.to_string(), "error: this scene has no `specular`\n  = no material is glossy");
+    assert_eq!(faults.to_string(), "error: this scene has no `specular`\n = no material is glossy");
 }

@@ -155,13 +155,7 @@ impl Sweep<'_> {
         let facts = &self.subjects[cell.subject].facts;
         let planned =
             voxlume::plan(&self.pipeline, facts, &Formats::builtin(), &Library::builtin(), &request);
-        planned.map_err(|faults: Faults| {
-            if faults.is_empty() {
-                Failure::work(format!("the plan leaves {} out", cell.effect.name()))
-            } else {
-                faults.into()
-            }
-        })
+        planned.map_err(Failure::from)
     }
 
     /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.
