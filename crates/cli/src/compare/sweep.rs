@@ -1,6 +1,6 @@
 //! The sweep: cell after cell.
 
-use voxlume::{Faults, Formats, Gpu, Library, Pipeline, Plan, Request};
+use voxlume::{Formats, Gpu, Library, Pipeline, Plan, Request};
 use voxlume_reference::cache::Key;
 use voxlume_reference::{Error as TracerError, PixelSampling, Reflection};
 use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, table, utc_now};
