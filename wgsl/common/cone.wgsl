@@ -121,6 +121,7 @@ fn cone_trace(cone: Cone, settings: ConeSettings, falloff: f32) -> vec4f {
             break;
         }
         let value = voxel_sample(p / grid, s.level, cone.direction) * inside_grid;
+        var behind = transmittance;
         if (value.a > 0.0) {
             // Doubling cones take few samples, each the share of a surface that its filter finds: shares add up.
             // Spheres follow each other as layers do; but a linear filter shows a surface to two of them in turn, so each
@@ -129,11 +130,10 @@ fn cone_trace(cone: Cone, settings: ConeSettings, falloff: f32) -> vec4f {
             let layer = before * opacity_over(value.a, ratio);
             let weight = min(transmittance, select(layer, value.a * ratio, s.adds));
             gathered += vec4f(value.rgb * (weight / value.a), weight / (1.0 + falloff * s.at));
-            before = transmittance;
-            transmittance -= weight;
-        } else {
-            before = transmittance;
+            behind = transmittance - weight;
         }
+        before = transmittance;
+        transmittance = behind;
         t = s.next;
     }
     return gathered;

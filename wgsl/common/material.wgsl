@@ -1,6 +1,5 @@
 // glTF metallic-roughness materials. Textures are layers of two arrays, colour (sRGB) and data (linear).
 
-import package::common::octahedral::unpack_normal;
 
 struct Material {
     base_color: vec4f,

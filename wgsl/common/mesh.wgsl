@@ -1,6 +1,5 @@
 // The scene's triangles, one buffer for all of them.
 
-import package::common::octahedral::{unpack_normal, unpack_tangent};
 
 struct Vertex {
     position: vec3f,

@@ -2,9 +2,9 @@
 // many threads' job and a small one is a single thread's. `tile_ranks` is the number of tiles before each
 // triangle, with the total at its end.
 
-import package::common::frame::{frame, to_voxel};
+import package::common::frame::to_voxel;
 import package::common::mesh::{vertices, triangle_indices};
-import package::common::triangle_box::{TriangleBox, triangle_box};
+import package::common::triangle_box::TriangleBox;
 
 const TILE = 8;
 

@@ -1,7 +1,7 @@
 // One more diffuse bounce: every voxel gathers the volume through the diffuse cones (DVS, 'Voxel Global
 // Illumination') and adds what it reflects to its own light.
 
-import package::common::attributes::{VoxelSurface, voxel_surface};
+import package::common::attributes::voxel_surface;
 import package::common::diffuse_cones::gather_diffuse;
 import package::common::constants::PI;
 import package::common::voxels::level_cell;

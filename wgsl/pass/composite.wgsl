@@ -3,7 +3,7 @@
 import package::common::brdf::{brdf, lobe_reflectance};
 import package::common::constants::PI;
 import package::common::frame::frame;
-import package::common::light::{Incidence, Light, lights, light_incidence, LIGHT_AREA, HAS_AREA, area_corners, area_incidence};
+import package::common::light::{lights, light_incidence};
 import package::common::reflectance::diffuse_albedo;
 import package::common::surface::{Surface, surface_load};
 
@@ -32,13 +32,8 @@ fn direct_light(surface: Surface, pixel: vec2u, open: f32) -> vec3f {
         if (HAS_SHADOW) {
             visibility *= textureLoad(shadow, pixel, i / 4, 0)[i % 4];
         }
-        if (HAS_AREA && light.kind == LIGHT_AREA) {
-            let incidence = area_incidence(area_corners(light), light, surface.position, surface.normal);
-            sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
-        } else {
-            let incidence = light_incidence(light, surface.position, surface.normal);
-            sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
-        }
+        let incidence = light_incidence(light, surface.position, surface.normal);
+        sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
     }
     return sum;
 }

@@ -1,6 +1,6 @@
 // Runs an effect over the screen.
 
-import package::common::surface::{Surface, surface_load};
+import package::common::surface::surface_load;
 import package::effect::{Params, effect};
 
 @group(3) @binding(0) var<uniform> params: Params;

@@ -1,7 +1,7 @@
 // What the camera sees: four targets and depth, one draw for the whole scene.
 
 import package::common::frame::frame;
-import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK, HAS_TEXTURES};
+import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK};
 import package::common::mesh::vertices;
 import package::common::octahedral::{unpack_normal, unpack_tangent};
 

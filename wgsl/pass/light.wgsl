@@ -1,6 +1,6 @@
 // Direct light on every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
 
-import package::common::attributes::{VoxelSurface, voxel_surface};
+import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
 import package::common::frame::{frame, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, area_corners, area_incidence, LIGHT_AREA, HAS_AREA};

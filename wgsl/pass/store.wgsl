@@ -1,6 +1,6 @@
 // Writes every active voxel's radiance into level 0 of the volume, by the storage format's own store.
 
-import package::common::attributes::{VoxelSurface, voxel_surface};
+import package::common::attributes::voxel_surface;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::format::store::voxel_store;

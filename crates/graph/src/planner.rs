@@ -14,7 +14,7 @@ use crate::kind::{KINDS, Kind, SURFACE_IMAGES};
 use crate::limits;
 use crate::order::{Makers, order};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
-use crate::plan::{LeftOut, Pass, Plan, Step};
+use crate::plan::{LeftOut, Pass, Plan};
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
 #[derive(Clone, Debug)]
@@ -418,11 +418,4 @@ fn explain_channels(context: &mut Context<'_>) {
     note(!context.area_lights, "area lights' branch", "no emissive polygon is lit as one", 0);
     note(!facts.moving, "voxelizing every frame", "nothing moves", 0);
     context.left_out.extend(left_out);
-}
-
-impl Plan {
-    /// Steps of all passes.
-    pub fn steps(&self) -> impl Iterator<Item = &Step> {
-        self.passes.iter().flat_map(|pass| &pass.steps)
-    }
 }
