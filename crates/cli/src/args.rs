@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use voxlume::{Faults, Formats, Library, Pipeline, Plan, Request, Scene, SceneFacts, Value};
+use voxlume::{Faults, Pipeline, Plan, Request, Scene, SceneFacts, Value};
 
-use crate::pipeline;
+use crate::{Registry, pipeline};
 
 /// A scene, a pipeline, and what replaces the pipeline's own words.
 #[derive(clap::Args)]
@@ -49,7 +49,7 @@ impl PlanArgs {
     }
 
     /// Plans the pipeline for the scene.
-    pub fn plan(&self, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
+    pub fn plan(&self, registry: &Registry, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
         let request = Request {
             format: self.format.clone(),
             encoding: self.encoding.clone(),
@@ -58,7 +58,7 @@ impl PlanArgs {
             set: self.set.clone(),
             screen: self.size,
         };
-        voxlume::plan(pipeline, &SceneFacts::of(scene), &Formats::builtin(), &Library::builtin(), &request)
+        voxlume::plan(pipeline, &SceneFacts::of(scene), &registry.formats, &registry.library, &request)
     }
 }
 

@@ -7,9 +7,10 @@ mod shaders;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use voxlume::{Faults, Formats, Library, Pipeline, Scene, Source};
+use voxlume::{Faults, Pipeline, Scene, Source};
 
 use self::files::Files;
+use crate::Registry;
 use crate::failure::Failure;
 use crate::pipeline::BUILTIN;
 
@@ -31,8 +32,8 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
-    let (formats, library) = (Formats::builtin(), Library::builtin());
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
+    let Registry { formats, library } = registry;
     let mut faults = Faults::default();
     let everything = args.files.is_empty();
     let mut files = if everything {
@@ -46,11 +47,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
 
     if everything || !files.shaders.is_empty() {
-        faults.extend(shaders::check(&files.shaders, &formats, &library));
+        faults.extend(shaders::check(&files.shaders, formats, library));
     }
     for source in &files.pipelines {
         if let Some(pipeline) = faults.gather(Pipeline::parse(source)) {
-            faults.extend(pipelines::check(&pipeline, &formats, &library));
+            faults.extend(pipelines::check(&pipeline, formats, library));
         }
     }
     for path in &files.scenes {

@@ -9,6 +9,7 @@ mod truth;
 
 use std::path::PathBuf;
 
+use crate::Registry;
 use crate::args::size;
 use crate::failure::Failure;
 
@@ -26,7 +27,8 @@ use crate::failure::Failure;
 #[command(after_help = "Examples:
   voxlume compare scenes/cornell.ron --out cornell
   voxlume compare scenes/cornell.ron --formats isotropic,sh2 --resolutions 64 --effects diffuse,final --out two
-  voxlume compare scenes/*.ron --spp 2048 --repeat 20 --out all")]
+  voxlume compare scenes/*.ron --spp 2048 --repeat 20 --out all
+  voxlume compare scenes/cornell.ron --baseline cornell/results.json --out changed")]
 pub struct Args {
     /// Scene files: .ron, .gltf or .glb
     #[arg(value_name = "SCENE", required = true)]
@@ -72,12 +74,16 @@ pub struct Args {
     #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
     pipeline: String,
 
+    /// The results.json of another time, to print how times and errors have changed since
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+
     /// Folder for the results; made if it isn't there
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
-    sweep::run(args)
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
+    sweep::run(args, registry)
 }

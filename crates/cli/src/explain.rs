@@ -2,6 +2,7 @@
 
 use voxlume::Scene;
 
+use crate::Registry;
 use crate::args::PlanArgs;
 use crate::failure::Failure;
 
@@ -19,9 +20,9 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let pipeline = args.plan.pipeline()?;
     let scene = Scene::load(&args.plan.scene)?;
-    let plan = args.plan.plan(&pipeline, &scene)?;
+    let plan = args.plan.plan(registry, &pipeline, &scene)?;
     crate::print(&voxlume::explain(&plan))
 }

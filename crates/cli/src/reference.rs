@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use voxlume::{Formats, Library, Picture, Request, Scene, SceneFacts};
+use voxlume::{Picture, Request, Scene, SceneFacts};
 use voxlume_reference::{Error, PixelSampling, Reflection, Tracer};
 
+use crate::Registry;
 use crate::args::size;
 use crate::effect::Effect;
 use crate::failure::Failure;
@@ -55,7 +56,7 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let files = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let files: Vec<(Kind, OutFile)> = files.collect::<Result<_, voxlume::Fault>>()?;
     let mut progress = Progress::new();
@@ -67,7 +68,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let facts = SceneFacts::of(&scene);
     // The plan tells the grid and which emitters are lights; its own size doesn't matter.
     let plan =
-        voxlume::plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(64, 64))?;
+        voxlume::plan(&pipeline, &facts, &registry.formats, &registry.library, &Request::image(64, 64))?;
     let quantity = args.effect.quantity(&pipeline, &plan, &scene, args.bounces)?;
     let request = voxlume_reference::Request {
         camera,

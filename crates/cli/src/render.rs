@@ -6,6 +6,7 @@ use std::time::Instant;
 use voxlume::{Camera, Fault, Gpu, Passes, Renderer, Scene};
 use voxlume_fault::suggest;
 
+use crate::Registry;
 use crate::args::PlanArgs;
 use crate::devices;
 use crate::failure::Failure;
@@ -64,7 +65,7 @@ fn exposure(text: &str) -> Result<f32, String> {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     // What can be refused at once is, before the long work.
     let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
@@ -76,7 +77,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let scene = Scene::load(&args.plan.scene)?;
     let camera = camera(&scene, args.camera.as_deref())?;
     progress.stage("planning".into());
-    let plan = args.plan.plan(&pipeline, &scene)?;
+    let plan = args.plan.plan(registry, &pipeline, &scene)?;
 
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let gpu = Gpu::open(args.adapter.as_deref())?;

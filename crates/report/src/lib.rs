@@ -4,6 +4,7 @@
 //! CSV, text and one HTML page ([`page()`]).
 
 mod axis;
+mod baseline;
 mod comparison;
 mod csv;
 mod date;
@@ -16,7 +17,9 @@ mod picture;
 mod plot;
 mod results;
 mod table;
+mod text;
 
+pub use baseline::against;
 pub use comparison::{Comparison, ComparisonError, Shown};
 pub use csv::csv;
 pub use date::utc_now;

@@ -2,6 +2,7 @@
 
 use crate::number::{bytes, percent, short};
 use crate::results::{Outcome, Results};
+use crate::text::align;
 
 /// Head of the columns shared with the page's table, after effect and place.
 pub(crate) const FIGURES: [&str; 9] =
@@ -44,22 +45,7 @@ pub fn table(results: &Results) -> String {
         };
         rows.push((cells, note));
     }
-    let width = |column: usize| {
-        rows.iter()
-            .filter_map(|(cells, _)| cells.get(column))
-            .map(|cell| cell.chars().count())
-            .max()
-            .unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..rows[0].0.len()).map(width).collect();
-    let line = |(cells, note): &(Vec<String>, String)| {
-        let cells = cells.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
-            if column >= 4 { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
-        });
-        let line = cells.collect::<Vec<_>>().join("  ") + "  " + note;
-        line.trim_end().to_owned() + "\n"
-    };
-    rows.iter().map(line).collect()
+    align(&rows, 4)
 }
 
 #[cfg(test)]

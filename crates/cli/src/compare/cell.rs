@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{
-    Camera, Encoding, Fault, Faults, Formats, Grid, Library, Pipeline, Request, Scene, SceneFacts, one_of,
-};
+use voxlume::{Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, one_of};
 use voxlume_fault::suggest;
 use voxlume_reference::cache::SceneDigest;
 
 use super::Args;
+use crate::Registry;
 use crate::effect::Effect;
 use crate::failure::Failure;
 use crate::render::camera;
@@ -47,10 +46,14 @@ impl Cell {
 }
 
 /// Loads the scenes, and finds out which cells there are.
-pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
+pub fn cells(
+    args: &Args,
+    registry: &Registry,
+    pipeline: &Pipeline,
+) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
     let mut faults = Faults::default();
-    let builtin = Formats::builtin();
-    let names: Vec<&str> = builtin.iter().map(|format| format.name()).collect();
+    let Registry { formats: known, library } = registry;
+    let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
     let formats = words("storage format", &args.formats, &names, &mut faults);
     let encodings = if args.encodings.is_empty() {
         vec![pipeline.encoding.value.clone()]
@@ -78,9 +81,7 @@ pub fn cells(args: &Args, pipeline: &Pipeline) -> Result<(Vec<Subject>, Vec<Cell
     for subject in &subjects {
         // What is wrong with the pipeline or the size is so in every cell.
         let request = Request::image(width, height);
-        let planned =
-            voxlume::plan(pipeline, &subject.facts, &Formats::builtin(), &Library::builtin(), &request);
-        faults.gather(planned);
+        faults.gather(voxlume::plan(pipeline, &subject.facts, known, library, &request));
     }
     if !faults.is_empty() {
         return Err(faults.into());

@@ -1,9 +1,11 @@
 //! The sweep: cell after cell.
 
-use voxlume::{Formats, Gpu, Library, Pipeline, Plan, Request};
+use std::path::Path;
+
+use voxlume::{Fault, Gpu, Pipeline, Plan, Request};
 use voxlume_reference::cache::Key;
 use voxlume_reference::{Error as TracerError, PixelSampling, Reflection};
-use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, table, utc_now};
+use voxlume_report::{Outcome, Results, Row, SCHEMA, against, csv, page, table, utc_now};
 
 use super::Args;
 use super::cell::{Cell, Subject, cells};
@@ -14,11 +16,12 @@ use super::truth::Truths;
 use crate::effect::bounces;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::{devices, interrupt, pipeline};
+use crate::{Registry, devices, interrupt, pipeline};
 
 /// What cells need.
 struct Sweep<'a> {
     args: &'a Args,
+    registry: &'a Registry,
     pipeline: Pipeline,
     subjects: Vec<Subject>,
     folder: Folder,
@@ -34,17 +37,18 @@ enum End {
 }
 
 /// Runs all cells and writes the report.
-pub fn run(args: &Args) -> Result<(), Failure> {
+pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     interrupt::wish();
     let pipeline = pipeline::load(&args.pipeline)?;
     let mut progress = Progress::new();
     progress.stage("loading".into());
-    let (subjects, cells) = cells(args, &pipeline)?;
+    let baseline = args.baseline.as_deref().map(baseline).transpose()?;
+    let (subjects, cells) = cells(args, registry, &pipeline)?;
     let folder = Folder::new(&args.out)?;
     let gpu = Gpu::open(args.adapter.as_deref())?;
     let device = devices::describe(&gpu.info);
     let truths = Truths::new(&folder.cache());
-    let mut sweep = Sweep { args, pipeline, subjects, folder, truths, gpu, progress };
+    let mut sweep = Sweep { args, registry, pipeline, subjects, folder, truths, gpu, progress };
 
     let mut results = Results { schema: SCHEMA, device, rows: Vec::new() };
     let mut pictures = Vec::new();
@@ -79,6 +83,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     sweep.write(&results, &pictures)?;
     drop(sweep);
     crate::print(&table(&results))?;
+    if let Some(baseline) = baseline {
+        crate::print(&format!("\nsince the baseline:\n{}", against(&results, &baseline)))?;
+    }
     let failed = results.rows.iter().filter(|row| matches!(row.outcome, Outcome::Failed { .. })).count();
     match failed {
         0 => Ok(()),
@@ -87,6 +94,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             results.rows.len()
         ))),
     }
+}
+
+/// Reads the results of another time.
+fn baseline(path: &Path) -> Result<Results, Fault> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Fault::new(format!("cannot read `{}`: {error}", path.display())))?;
+    Results::parse(&text).map_err(|error| Fault::new(format!("`{}`: {error}", path.display())))
 }
 
 impl Sweep<'_> {
@@ -153,9 +167,8 @@ impl Sweep<'_> {
             ..Request::image(self.args.size[0], self.args.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let planned =
-            voxlume::plan(&self.pipeline, facts, &Formats::builtin(), &Library::builtin(), &request);
-        planned.map_err(Failure::from)
+        let Registry { formats, library } = self.registry;
+        voxlume::plan(&self.pipeline, facts, formats, library, &request).map_err(Failure::from)
     }
 
     /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.

@@ -48,6 +48,12 @@ fn a_sweep_is_reported_and_not_run_twice() {
     assert_eq!(compare(&folder, "").code, Some(0));
     assert_eq!(text(&folder, "out/results.json"), before);
 
+    // Held against itself, nothing has changed.
+    let again = compare(&folder, "--baseline out/results.json");
+    let changes: Vec<&str> = again.stdout.lines().skip(6).collect();
+    assert_eq!(changes[0], "since the baseline:");
+    assert!(changes[2..].len() == 4 && changes[2..].iter().all(|line| line.matches(" 1.00 ").count() >= 2));
+
     // A finished cell that is damaged, or of other settings, is made again.
     let cell = folder.path().join("out/cells/cornell-diffuse-isotropic-rgba16float-32.json");
     std::fs::write(&cell, "{").unwrap();
@@ -75,6 +81,20 @@ fn a_cell_that_fails_leaves_the_others() {
     let rows = rows(&folder);
     assert!(rows[0]["fault"].as_str().unwrap().contains("`fallof`"), "{}", rows[0]);
     assert!(rows[1]["error"]["rmse"].is_f64());
+}
+
+#[test]
+fn a_baseline_of_another_schema_is_refused_by_name() {
+    let folder = Folder::new();
+    std::fs::write(folder.path().join("old.json"), r#"{"schema": 7, "rows": "of another form"}"#).unwrap();
+    folder.refuses(
+        "compare box.ron --baseline old.json --out out",
+        "loading\nerror: `old.json`: results of schema 7: this program reads schema 1",
+    );
+    folder.refuses(
+        "compare box.ron --baseline gone.json --out out",
+        "loading\nerror: cannot read `gone.json`: No such file or directory (os error 2)",
+    );
 }
 
 #[test]
