@@ -40,8 +40,8 @@ fn an_effect_from_a_file_runs_with_every_format() {
     let pipeline = Pipeline::load(&file).unwrap();
     let scene = built_in("lights.ron");
     for format in Formats::builtin().iter() {
-        let mean = |aperture: Option<f64>| {
-            let set = aperture.map(|a| ("thickness".into(), "aperture_deg".into(), Value::Number(a)));
+        let mean = |depth: Option<f64>| {
+            let set = depth.map(|depth| ("thickness".into(), "depth".into(), Value::Number(depth)));
             let request = Request {
                 format: Some(format.name().into()),
                 resolution: Some(32),
@@ -58,6 +58,6 @@ fn an_effect_from_a_file_runs_with_every_format() {
             picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / picture.pixels.len() as f64
         };
         // The parameter arrives.
-        assert!((mean(None) - mean(Some(5.0))).abs() > 1e-3, "{}", format.name());
+        assert!((mean(None) - mean(Some(6.0))).abs() > 1e-3, "{}", format.name());
     }
 }

@@ -24,6 +24,8 @@ struct Surface {
     roughness: f32,
     // Which layer of its image the effect is asked for.
     layer: u32,
+    // [0, 1): which of the sets of directions that neighbouring pixels share out this one traces.
+    turn: f32,
     // False where nothing is behind the pixel.
     hit: bool,
 }

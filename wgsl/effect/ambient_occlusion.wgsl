@@ -3,7 +3,7 @@
 
 import package::common::basis::basis_around;
 import package::common::cone::{ConeSettings, cone_trace};
-import package::common::diffuse_cones::{DIFFUSE_CONES, diffuse_cone, diffuse_weight};
+import package::common::diffuse_cones::{DiffuseCones, diffuse_cone, diffuse_weight};
 import package::common::frame::frame;
 import package::common::surface::Surface;
 
@@ -18,16 +18,19 @@ struct Params {
     distance: f32,
     /// How fast occluders lose weight: per longest side of the grid.
     falloff: f32,
+    /// Cones around the axis, [1, 8]; together they stand for the ring of five.
+    ring: u32,
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let longest = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
     let tangents = basis_around(surface.normal);
     var occlusion = 0.0;
-    for (var i = 0; i < DIFFUSE_CONES; i++) {
-        let cone = diffuse_cone(surface.position_voxel, tangents, i, params.start, params.distance * longest);
+    let cones = DiffuseCones(params.ring, surface.turn);
+    for (var i = 0u; i <= cones.ring; i++) {
+        let cone = diffuse_cone(surface.position_voxel, tangents, cones, i, params.start, params.distance * longest);
         let value = cone_trace(cone, ConeSettings(params.stepper, params.step), params.falloff / longest);
-        occlusion += diffuse_weight(i) * value.a;
+        occlusion += diffuse_weight(cones, i) * value.a;
     }
     return vec4f(vec3f(1.0 - occlusion), 1.0);
 }

@@ -1,11 +1,11 @@
-// Soft shadows (RAU §6.2): the share of each light that the surface sees, 1 unshadowed, by one cone as wide as
-// the light. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
+// Soft shadows (RAU §6.2): the share of each light that the surface sees, 1 unshadowed, by a cone as wide as
+// the light or, interleaved, as a part of it. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
 import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, end_at_plane, surface_cone};
 import package::common::frame::{frame, to_voxel};
-import package::common::light::{Incidence, Light, area_corners, area_incidence, light_incidence, lights, HAS_AREA, LIGHT_AREA};
-import package::common::quad::quarter;
+import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
+import package::common::light_part::light_part;
 import package::common::surface::Surface;
 
 struct Params {
@@ -13,8 +13,9 @@ struct Params {
     step: f32,
     /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
-    /// 1: a cone to each quarter of an area light; 0: one to the whole of it, [0, 1].
-    quarters: u32,
+    /// Parts of a light along each of its sides, [1, 4]: a pixel's cones are as wide as one of them, and the pass's
+    /// `interleave` takes the mean over all.
+    parts: u32,
 }
 
 fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
@@ -34,20 +35,15 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
-    if (HAS_AREA && light.kind == LIGHT_AREA && params.quarters > 0) {
-        // Its quarters, each by what it gives.
-        let corners = area_corners(light);
-        var arriving = 0.0;
-        var possible = 0.0;
-        for (var q = 0u; q < 4; q++) {
-            let part = area_incidence(quarter(corners, q), light, surface.position, surface.normal);
-            let weight = part.irradiance.r + part.irradiance.g + part.irradiance.b;
-            possible += weight;
-            arriving += weight * cone_visibility(surface, light, part, params);
+    let whole = light_incidence(light, surface.position, surface.normal);
+    if (params.parts > 1) {
+        let part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal);
+        // A part below the horizon gives nothing: the pixel then looks at the whole.
+        if (any(part.irradiance > vec3f(0.0))) {
+            return cone_visibility(surface, light, part, params);
         }
-        return arriving / max(possible, 1e-30);
     }
-    return cone_visibility(surface, light, light_incidence(light, surface.position, surface.normal), params);
+    return cone_visibility(surface, light, whole, params);
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {

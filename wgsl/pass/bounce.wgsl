@@ -2,7 +2,7 @@
 // Illumination') and adds what it reflects to its own light.
 
 import package::common::attributes::voxel_surface;
-import package::common::diffuse_cones::gather_diffuse;
+import package::common::diffuse_cones::{DiffuseCones, FULL_RING, gather_diffuse};
 import package::common::constants::PI;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
@@ -35,15 +35,16 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let settings = ConeSettings(params.stepper, params.step);
+    let cones = DiffuseCones(FULL_RING, 0.0);
     let p_voxel = vec3f(cell) + 0.5;
     var arriving = vec3f(0.0);
     if (any(surface.normal != vec3f(0.0))) {
-        arriving = gather_diffuse(p_voxel, surface.normal, settings, params.start).rgb;
+        arriving = gather_diffuse(p_voxel, surface.normal, cones, settings, params.start).rgb;
     } else {
         for (var axis = 0; axis < 3; axis++) {
             var normal = vec3f(0.0);
             normal[axis] = 1.0;
-            arriving += (gather_diffuse(p_voxel, normal, settings, params.start).rgb + gather_diffuse(p_voxel, -normal, settings, params.start).rgb) / 6.0;
+            arriving += (gather_diffuse(p_voxel, normal, cones, settings, params.start).rgb + gather_diffuse(p_voxel, -normal, cones, settings, params.start).rgb) / 6.0;
         }
     }
     var radiance = surface.albedo / PI * arriving;

@@ -52,6 +52,8 @@ pub struct PassEntry {
     pub when: Option<Located<String>>,
     /// Layers of the image that it writes: one, or one for each four lights.
     pub layers: Option<Located<String>>,
+    /// Whether each tile of 4 × 4 pixels shares out the effect's directions, and the image is their mean.
+    pub interleave: bool,
     /// Its parameters.
     pub params: Vec<Param>,
     /// Bytes of `run`'s value, for faults about the whole.
@@ -182,6 +184,7 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let reads = names(&mut fields, "reads", faults);
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
+    let interleave = fields.optional::<bool>("interleave", faults).unwrap_or(false);
     let mut word = |name: &str, faults: &mut Faults| {
         let node = fields.node(name)?;
         Some(Located { value: faults.gather(node.get())?, span: Some(node.span()) })
@@ -214,7 +217,8 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let run = run?;
     let span = run.span.clone().unwrap_or(node.head());
     let stem = run.value.rsplit('/').next().unwrap_or_default().trim_end_matches(".wgsl").to_owned();
-    Some(PassEntry { name: name.unwrap_or(stem), run, reads, writes, updates, when, layers, params, span })
+    let name = name.unwrap_or(stem);
+    Some(PassEntry { name, run, reads, writes, updates, when, layers, interleave, params, span })
 }
 
 fn value(node: Node<'_>) -> Result<Value, Faults> {

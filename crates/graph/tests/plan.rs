@@ -8,7 +8,7 @@ use std::path::Path;
 use common::{PIPELINE, plan, request, rich};
 use insta::assert_snapshot;
 use voxlume_format::Formats;
-use voxlume_graph::{Pipeline, Plan, Request, SceneFacts, Value, explain};
+use voxlume_graph::{Pipeline, Plan, Request, SceneFacts, Step, Value, explain};
 use voxlume_scene::Scene;
 
 fn root() -> &'static Path {
@@ -204,9 +204,9 @@ fn the_cornell_box_explained() {
       gbuffer            nothing → surface
                            1 draw
       soft_shadow        surface, volume → shadow
-                           1 dispatch
+                           2 dispatches
       diffuse            surface, volume → diffuse
-                           1 dispatch
+                           2 dispatches
       composite          surface, shadow, diffuse → final
                            1 dispatch
 
@@ -227,6 +227,7 @@ fn the_cornell_box_explained() {
       geometry           512 × 512 image, 1 layer                  2.00 MiB
       emission           512 × 512 image, 1 layer                  2.00 MiB
       shadow             512 × 512 image, 1 layer                  2.00 MiB
+      interleaved_1      512 × 512 image, 1 layer                  2.00 MiB
       diffuse            512 × 512 image, 1 layer                  2.00 MiB
       final              512 × 512 image, 1 layer                  2.00 MiB
 
@@ -259,4 +260,21 @@ fn an_output_that_the_scene_leaves_out_is_a_fault_with_its_reason() {
     )
     .unwrap_err();
     assert_eq!(faults.to_string(), "error: this scene has no `specular`\n = no material is glossy");
+}
+
+/// Interleaved, an effect's image is the mean over the pixels that share out its directions: one program more.
+#[test]
+fn interleaving() {
+    let gi = include_str!("../../../pipelines/gi.ron");
+    let steps = |text: &str| {
+        let plan = plan(&common::pipeline(text), &rich(), &request()).unwrap();
+        let pass = plan.passes.iter().find(|pass| pass.name == "diffuse").unwrap();
+        let turned = |step: &Step| match step {
+            Step::Compute { program, .. } => program.constants.contains(&("INTERLEAVE".to_owned(), 1.0)),
+            _ => false,
+        };
+        (pass.steps.len(), pass.steps.iter().filter(|step| turned(step)).count())
+    };
+    assert_eq!(steps(gi), (2, 1));
+    assert_eq!(steps(&gi.replace("interleave: true,", "")), (1, 0));
 }

@@ -1,7 +1,7 @@
 //! Effects and other passes over the screen's pixels.
 
 use super::{Binds, Expansion};
-use crate::plan::{Groups, ImageTexel, ResourceKind, Step, Target};
+use crate::plan::{ImageTexel, ResourceKind, Target};
 
 /// The composite.
 pub(crate) fn screen(e: &mut Expansion<'_, '_>) {
@@ -19,15 +19,23 @@ fn over_pixels(e: &mut Expansion<'_, '_>, module: &str, effect: &str) {
     let Some(write) = e.entry.writes.first() else { return };
     let layers = if e.entry.layers.is_some() { e.context.light_count().div_ceil(4).max(1) } else { 1 };
     let kind = ResourceKind::Image { texel: ImageTexel::Rgba16Float, layers };
-    let image = [("image", Target::Resource(e.context.resource(&write.value, kind)))];
     if !effect.is_empty() && e.context.effect(effect).is_none() {
         return;
     }
-    let Some(program) = e.program(module, "main", &Binds { targets: &image, effect, ..Binds::default() })
-    else {
-        return;
-    };
+    let image = Target::Resource(e.context.resource(&write.value, kind.clone()));
     let [width, height] = e.context.screen;
-    let groups = Groups::Fixed([width.div_ceil(8), height.div_ceil(8), layers]);
-    e.steps.push(Step::Compute { program, groups });
+    let groups = [width.div_ceil(8), height.div_ceil(8), layers];
+    let constants = [("INTERLEAVE", e.entry.interleave)];
+    if !e.entry.interleave {
+        let binds = Binds { targets: &[("image", image)], constants: &constants, effect };
+        e.compute(module, "main", &binds, groups);
+        return;
+    }
+    // Shared by all: each is read right after it is written.
+    let name = format!("interleaved_{layers}");
+    let interleaved = Target::Resource(e.context.resource(&name, kind));
+    let binds = Binds { targets: &[("image", interleaved.clone())], constants: &constants, effect };
+    e.compute(module, "main", &binds, groups);
+    let targets = [("image", image), ("interleaved", interleaved)];
+    e.compute("pass/interleave", "main", &Binds { targets: &targets, ..Binds::default() }, groups);
 }

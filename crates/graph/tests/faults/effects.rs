@@ -28,7 +28,7 @@ fn message_of(from: &str, to: &str, params: &str) -> String {
             "\"surface\", \"volume\"],\n            writes: [\"diffuse\"]",
             "\"surface\"],\n            writes: [\"diffuse\"]",
         ),
-        ("stepper: \"spheres\", step: 0.5, start: 1.0", params),
+        ("stepper: \"spheres\", step: 0.5, start: 1.0, ring: 5", params),
     ]);
     let file = folder.path().join("p.ron");
     std::fs::write(&file, text).unwrap();

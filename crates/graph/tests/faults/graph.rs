@@ -104,25 +104,25 @@ fn two_passes_of_one_name() {
 
 #[test]
 fn cycle() {
-    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
-        (name: "two", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["b"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
+        (name: "two", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["b"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
         (run: "gbuffer""#)]), @r#"
     error: the passes form a cycle
        ┌─ p.ron:26:28
        │
-    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
        │                            ^^^^^^^^^^^^^^^^ this pass waits for itself
        │
        = `one` needs `b` from `two`, `two` needs `a` from `one`
     "#);
-    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
-        (name: "two", run: "effect/diffuse", reads: ["surface", "volume", "c"], writes: ["b"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
-        (name: "three", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["c"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
+        (name: "two", run: "effect/diffuse", reads: ["surface", "volume", "c"], writes: ["b"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
+        (name: "three", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["c"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
         (run: "gbuffer""#)]), @r#"
     error: the passes form a cycle
        ┌─ p.ron:26:28
        │
-    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "b"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
        │                            ^^^^^^^^^^^^^^^^ this pass waits for itself
        │
        = `one` needs `b` from `two`, `two` needs `c` from `three`, `three` needs `a` from `one`
@@ -131,12 +131,12 @@ fn cycle() {
 
 #[test]
 fn a_pass_that_waits_for_itself() {
-    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    assert_snapshot!(message(&[(r#"(run: "gbuffer""#, r#"(name: "one", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
         (run: "gbuffer""#)]), @r#"
     error: the passes form a cycle
        ┌─ p.ron:26:28
        │
-    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0)),
+    26 │         (name: "one", run: "effect/diffuse", reads: ["surface", "volume", "a"], writes: ["a"], params: (stepper: "spheres", step: 0.5, start: 1.0, ring: 5)),
        │                            ^^^^^^^^^^^^^^^^ this pass waits for itself
        │
        = `one` needs `a` from `one`
@@ -291,7 +291,7 @@ fn several_faults_of_parameters_at_once() {
     error: parameter `step` of pass `diffuse` can't be 5
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: 5, start: 1.0),
+    31 │             params: (stepper: "spheres", step: 5, start: 1.0, ring: 5),
        │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
 }

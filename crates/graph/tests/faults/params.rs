@@ -42,8 +42,8 @@ fn unknown() {
     error: pass `diffuse` has no parameter `strat`
        ┌─ p.ron:31:53
        │
-    31 │             params: (stepper: "spheres", step: 0.5, strat: 2, start: 1.0),
-       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start
+    31 │             params: (stepper: "spheres", step: 0.5, strat: 2, start: 1.0, ring: 5),
+       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start, ring
     "#);
     assert_snapshot!(message(&[(r#"(run: "voxelize", writes: ["voxels"])"#, r#"(run: "voxelize", writes: ["voxels"], params: (size: 3))"#)]), @r#"
     error: pass `voxelize` has no parameter `size`
@@ -60,7 +60,7 @@ fn twice() {
     error: parameter `step` given twice
        ┌─ p.ron:31:53
        │
-    31 │             params: (stepper: "spheres", step: 0.5, step: 0.25, start: 1.0),
+    31 │             params: (stepper: "spheres", step: 0.5, step: 0.25, start: 1.0, ring: 5),
        │                                                     ^^^^ the second
     "#);
 }
@@ -71,14 +71,14 @@ fn mistyped() {
     error: parameter `step` of pass `diffuse` can't be "half"
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: "half", start: 1.0),
+    31 │             params: (stepper: "spheres", step: "half", start: 1.0, ring: 5),
        │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
     assert_snapshot!(message(&[(r#"step: 0.5"#, r#"step: (1, 2)"#)]), @r#"
     error: parameter `step` of pass `diffuse` can't be (1, 2)
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: (1, 2), start: 1.0),
+    31 │             params: (stepper: "spheres", step: (1, 2), start: 1.0, ring: 5),
        │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
     assert_snapshot!(message(&[(r#"occlusion: "shadow_map""#, r#"occlusion: 3"#)]), @r#"
@@ -99,7 +99,7 @@ fn mistyped() {
     error: expected a number, found `Half`
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: Half, start: 1.0),
+    31 │             params: (stepper: "spheres", step: Half, start: 1.0, ring: 5),
        │                                                ^^^^
     "#);
 }
@@ -110,14 +110,14 @@ fn out_of_range() {
     error: parameter `step` of pass `diffuse` can't be 1.5
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: 1.5, start: 1.0),
+    31 │             params: (stepper: "spheres", step: 1.5, start: 1.0, ring: 5),
        │                                                ^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
     assert_snapshot!(message(&[(r#"step: 0.5"#, r#"step: 0"#)]), @r#"
     error: parameter `step` of pass `diffuse` can't be 0
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: 0, start: 1.0),
+    31 │             params: (stepper: "spheres", step: 0, start: 1.0, ring: 5),
        │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
     assert_snapshot!(message(&[(r#"bounces: 1"#, r#"bounces: 99"#)]), @r#"
@@ -149,14 +149,14 @@ fn not_finite() {
     error: expected a finite number, found `NaN`
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: NaN, start: 1.0),
+    31 │             params: (stepper: "spheres", step: NaN, start: 1.0, ring: 5),
        │                                                ^^^
     "#);
     assert_snapshot!(message(&[(r#"step: 0.5"#, r#"step: 1e999"#)]), @r#"
     error: expected a finite number, found `1e999`
        ┌─ p.ron:31:48
        │
-    31 │             params: (stepper: "spheres", step: 1e999, start: 1.0),
+    31 │             params: (stepper: "spheres", step: 1e999, start: 1.0, ring: 5),
        │                                                ^^^^^
     "#);
 }
@@ -167,7 +167,7 @@ fn unknown_word() {
     error: parameter `stepper` of pass `diffuse` can't be "sphere"
        ┌─ p.ron:31:31
        │
-    31 │             params: (stepper: "sphere", step: 0.5, start: 1.0),
+    31 │             params: (stepper: "sphere", step: 0.5, start: 1.0, ring: 5),
        │                               ^^^^^^^^ one of: spheres, doubling
     "#);
     assert_snapshot!(message(&[(r#""shadow_map", emission"#, r#""shadow_maps", emission"#)]), @r#"
@@ -181,7 +181,7 @@ fn unknown_word() {
     error: parameter `stepper` of pass `diffuse` can't be 2
        ┌─ p.ron:31:31
        │
-    31 │             params: (stepper: 2, step: 0.5, start: 1.0),
+    31 │             params: (stepper: 2, step: 0.5, start: 1.0, ring: 5),
        │                               ^ one of: spheres, doubling
     "#);
 }
