@@ -10,6 +10,7 @@ mod effect;
 mod explain;
 mod failure;
 mod interrupt;
+mod library;
 mod outfile;
 mod picture;
 mod pipeline;
@@ -23,6 +24,7 @@ mod tone;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +40,11 @@ use crate::failure::Failure;
 struct Program {
     #[command(subcommand)]
     command: Command,
+
+    /// Folder laid out as Voxlume's own `wgsl`, whose modules take the place of the built-in ones: to change shaders
+    /// without building anything
+    #[arg(long, value_name = "FOLDER", global = true)]
+    wgsl: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -83,21 +90,33 @@ pub fn main_with(registry: &Registry, arguments: impl IntoIterator<Item = OsStri
     let colour = std::io::stderr().is_terminal();
     tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).with_ansi(colour).init();
 
-    let done = match &program.command {
-        Command::Render(args) => render::run(args, registry),
-        Command::Compare(args) => compare::run(args, registry),
-        Command::Reference(args) => reference::run(args, registry),
-        Command::Explain(args) => explain::run(args, registry),
-        Command::Check(args) => check::run(args, registry),
-        Command::Devices(args) => devices::run(args),
-    };
-    match done {
+    match run(&program, registry) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             // Nobody is left to tell where stderr is closed.
             let _ = writeln!(std::io::stderr(), "{failure}");
             failure.exit_code()
         }
+    }
+}
+
+fn run(program: &Program, registry: &Registry) -> Result<(), Failure> {
+    let changed;
+    let registry = match &program.wgsl {
+        Some(folder) => {
+            let library = library::with_folder(&registry.library, folder)?;
+            changed = Registry { formats: registry.formats.clone(), library };
+            &changed
+        }
+        None => registry,
+    };
+    match &program.command {
+        Command::Render(args) => render::run(args, registry),
+        Command::Compare(args) => compare::run(args, registry),
+        Command::Reference(args) => reference::run(args, registry),
+        Command::Explain(args) => explain::run(args, registry),
+        Command::Check(args) => check::run(args, registry),
+        Command::Devices(args) => devices::run(args),
     }
 }
 

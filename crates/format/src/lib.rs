@@ -7,6 +7,8 @@
 //! The built-in ones are in [`Formats::builtin`]; a format of another crate implements [`StorageFormat`] and
 //! is added with [`Formats::add`].
 
+use std::sync::Arc;
+
 mod encoding;
 mod isotropic;
 mod sh2;
@@ -36,19 +38,19 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
 }
 
 /// The formats to choose from.
-#[derive(Debug)]
-pub struct Formats(Vec<Box<dyn StorageFormat>>);
+#[derive(Clone, Debug)]
+pub struct Formats(Vec<Arc<dyn StorageFormat>>);
 
 impl Formats {
     /// The formats of this crate.
     pub fn builtin() -> Formats {
-        Formats(vec![Box::new(Isotropic), Box::new(SixFace), Box::new(Sh2)])
+        Formats(vec![Arc::new(Isotropic), Arc::new(SixFace), Arc::new(Sh2)])
     }
 
     /// Adds a format; one of the same name gives way.
     pub fn add(&mut self, format: impl StorageFormat + 'static) {
         self.0.retain(|other| other.name() != format.name());
-        self.0.push(Box::new(format));
+        self.0.push(Arc::new(format));
     }
 
     /// The format called `name`.
@@ -58,7 +60,7 @@ impl Formats {
 
     /// All of them, in the order added.
     pub fn iter(&self) -> impl Iterator<Item = &dyn StorageFormat> {
-        self.0.iter().map(Box::as_ref)
+        self.0.iter().map(Arc::as_ref)
     }
 }
 

@@ -10,3 +10,4 @@ mod explain;
 mod folder;
 mod render;
 mod usage;
+mod wgsl;
