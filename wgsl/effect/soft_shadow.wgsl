@@ -36,14 +36,12 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
     let whole = light_incidence(light, surface.position, surface.normal);
-    if (params.parts > 1) {
-        let part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal);
-        // A part below the horizon gives nothing: the pixel then looks at the whole.
-        if (any(part.irradiance > vec3f(0.0))) {
-            return cone_visibility(surface, light, part, params);
-        }
+    var part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal);
+    // A part below the horizon gives nothing: the pixel then looks at the whole.
+    if (all(part.irradiance <= vec3f(0.0))) {
+        part = whole;
     }
-    return cone_visibility(surface, light, whole, params);
+    return cone_visibility(surface, light, part, params);
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {

@@ -1,6 +1,7 @@
 // Runs an effect over the screen.
 
 import package::common::surface::surface_load;
+import package::common::turn::turn_at;
 import package::effect::{Params, effect};
 
 @group(3) @binding(0) var<uniform> params: Params;
@@ -8,13 +9,6 @@ import package::effect::{Params, effect};
 
 // Whether the pixels of a tile of 4 × 4 share out the directions; `interleave` then takes their mean.
 override INTERLEAVE: bool = false;
-
-// A tile's pixels in the order of Bayer's matrix: next neighbours are turned the most differently.
-fn turn(pixel: vec2u) -> f32 {
-    let x = pixel.x ^ pixel.y;
-    let order = ((x & 1) << 3) | ((pixel.y & 1) << 2) | (x & 2) | ((pixel.y & 2) >> 1);
-    return f32(order) / 16.0;
-}
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -25,7 +19,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var value = vec4f(0.0);
     if (surface.hit) {
         surface.layer = id.z;
-        surface.turn = select(0.0, turn(id.xy), INTERLEAVE);
+        surface.turn = select(0.0, turn_at(id.xy), INTERLEAVE);
         value = effect(surface, params);
     }
     textureStore(image, id.xy, id.z, value);

@@ -3,18 +3,19 @@
 import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
 import package::common::frame::{frame, from_voxel, to_voxel};
-import package::common::light::{Light, lights, light_incidence, Incidence, area_corners, area_incidence, LIGHT_AREA, HAS_AREA};
+import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
+import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::voxel_ray::ray_blocked;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
-import package::common::quad::quarter;
+import package::common::turn::turn_at;
 
 struct Params {
     /// How far over a voxel's centre it looks for the light; 1.5 is over every cell of a plane through it.
     bias: f32,
-    /// 1: a ray to each quarter of an area light; 0: one to its middle, [0, 1].
-    quarters: u32,
+    /// Parts of a light along each of its sides, [1, 4]: neighbouring voxels send their rays to different ones.
+    parts: u32,
 }
 
 @group(3) @binding(0) var<uniform> params: Params;
@@ -32,9 +33,6 @@ fn cell_height(normal: vec3f) -> f32 {
 }
 
 fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f) -> f32 {
-    if (all(incidence.irradiance <= vec3f(0.0))) {
-        return 0.0;
-    }
     let lift = normal * (params.bias * cell_height(normal));
     let origin = p_voxel + lift;
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
@@ -50,22 +48,22 @@ fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f)
     return select(1.0, 0.0, ray_blocked(origin, incidence.direction, reach));
 }
 
-fn irradiance(p_voxel: vec3f, normal: vec3f) -> vec3f {
+fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
     // The surface lies at most half a voxel from the voxel's centre; the centre stands for it.
     let position = from_voxel(p_voxel);
     var sum = vec3f(0.0);
     for (var i = 0u; i < frame.light_count; i++) {
         let light = lights[i];
-        if (HAS_AREA && light.kind == LIGHT_AREA && params.quarters > 0) {
-            let corners = area_corners(light);
-            for (var q = 0u; q < 4; q++) {
-                let part = area_incidence(quarter(corners, q), light, position, normal);
-                sum += part.irradiance * visibility(light, part, p_voxel, normal);
-            }
-        } else {
-            let incidence = light_incidence(light, position, normal);
-            sum += incidence.irradiance * visibility(light, incidence, p_voxel, normal);
+        let whole = light_incidence(light, position, normal);
+        if (all(whole.irradiance <= vec3f(0.0))) {
+            continue;
         }
+        // A part below the horizon gives nothing: the voxel then looks at the middle of the whole.
+        var part = light_part(light, whole, params.parts, turn, position, normal);
+        if (all(part.irradiance <= vec3f(0.0))) {
+            part = whole;
+        }
+        sum += whole.irradiance * visibility(light, part, p_voxel, normal);
     }
     return sum;
 }
@@ -79,19 +77,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let p_voxel = vec3f(cell) + 0.5;
+    let turn = turn_at(cell.xy ^ cell.zz);
     var arriving = vec3f(0.0);
     if (any(surface.normal != vec3f(0.0))) {
-        arriving = irradiance(p_voxel, surface.normal);
+        arriving = irradiance(p_voxel, surface.normal, turn);
         if (surface.double_sided > 0.0) {
             // One value stands for both sides: what arrives at either.
-            arriving += surface.double_sided * irradiance(p_voxel, -surface.normal);
+            arriving += surface.double_sided * irradiance(p_voxel, -surface.normal, turn);
         }
     } else {
         // Opposite surfaces share the voxel: each axis direction stands for a sixth of them.
         for (var axis = 0; axis < 3; axis++) {
             var normal = vec3f(0.0);
             normal[axis] = 1.0;
-            arriving += (irradiance(p_voxel, normal) + irradiance(p_voxel, -normal)) / 6.0;
+            arriving += (irradiance(p_voxel, normal, turn) + irradiance(p_voxel, -normal, turn)) / 6.0;
         }
     }
     let radiance = surface.emission + surface.albedo / PI * arriving;

@@ -279,8 +279,8 @@ fn several_faults_of_parameters_at_once() {
     error: pass `light` has no parameter `bais`
        ┌─ p.ron:16:17
        │
-    16 │                 bais: 1.5, quarters: 1,
-       │                 ^^^^ did you mean `bias`? one of: occlusion, emission, bias, quarters
+    16 │                 bais: 1.5, parts: 2,
+       │                 ^^^^ did you mean `bias`? one of: occlusion, emission, bias, parts
 
     error: parameter `bounces` of pass `bounce` can't be 99
        ┌─ p.ron:24:31
