@@ -38,10 +38,10 @@ pub fn compare(
     separability: Separability,
     epsilon: f64,
 ) -> Comparison {
-    let n = substrate.grid.size[0] as i32;
-    let index = |cell: IVec3| ((cell.z * n + cell.y) * n + cell.x) as usize;
+    let n = substrate.grid.size.map(|side| side as i32);
+    let index = |cell: IVec3| ((cell.z * n[1] + cell.y) * n[0] + cell.x) as usize;
     // Bit 0: may be set; bit 1: must be set.
-    let mut expected = vec![0u8; (n * n * n) as usize];
+    let mut expected = vec![0u8; n.iter().product::<i32>() as usize];
     for triangle in triangles {
         let [x, y, z] = cells(triangle, epsilon, n);
         for cell in z.flat_map(|z| {
@@ -56,9 +56,9 @@ pub fn compare(
         }
     }
     let mut comparison = Comparison::default();
-    for z in 0..n {
-        for y in 0..n {
-            for x in 0..n {
+    for z in 0..n[2] {
+        for y in 0..n[1] {
+            for x in 0..n[0] {
                 let cell = IVec3::new(x, y, z);
                 let set = substrate.is_set(cell.as_uvec3(), 0);
                 match expected[index(cell)] {
@@ -78,11 +78,11 @@ pub fn compare(
     comparison
 }
 
-/// Cells of the triangle's bounding box, with a margin, within a grid of side `n`.
-fn cells(triangle: &[DVec3; 3], margin: f64, n: i32) -> [RangeInclusive<i32>; 3] {
+/// Cells of the triangle's bounding box, with a margin, within a grid of these sides.
+fn cells(triangle: &[DVec3; 3], margin: f64, n: [i32; 3]) -> [RangeInclusive<i32>; 3] {
     let low = triangle[0].min(triangle[1]).min(triangle[2]) - margin;
     let high = triangle[0].max(triangle[1]).max(triangle[2]) + margin;
-    [0, 1, 2].map(|i| (low[i].floor() as i32).max(0)..=(high[i].floor() as i32).min(n - 1))
+    [0, 1, 2].map(|i| (low[i].floor() as i32).max(0)..=(high[i].floor() as i32).min(n[i] - 1))
 }
 
 fn conservative(triangle: &[DVec3; 3], cell: IVec3, epsilon: f64) -> (bool, bool) {

@@ -60,7 +60,7 @@ impl Substrate {
 
     /// Cells along each axis at a level.
     pub fn size(&self, level: u32) -> UVec3 {
-        UVec3::from_array(self.grid.size.map(|n| (n >> level).max(1)))
+        UVec3::from_array(self.grid.size.map(|n| n >> level))
     }
 
     /// Word and bit of a cell: bricks of 4 × 4 × 2 cells.

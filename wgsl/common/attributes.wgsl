@@ -1,5 +1,5 @@
 // A voxel's attributes, decoded from their fixed-point sums: weight, weight of double-sided surfaces, reflectance,
-// the normals' positive and negative parts, emission.
+// the normals' positive and negative parts, emission, and last, where it counts, the area that triangles cover.
 
 import package::common::frame::frame;
 
@@ -7,6 +7,7 @@ import package::common::frame::frame;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_VOXEL_EMISSION: bool = true;
+override HAS_COVERAGE: bool = false;
 
 struct VoxelSurface {
     // Reflectance of the surfaces in the voxel.
@@ -20,6 +21,8 @@ struct VoxelSurface {
     back: vec3f,
     // W·m⁻²·sr⁻¹
     emission: vec3f,
+    // Of level 0, [0, 1].
+    opacity: f32,
 }
 
 fn attribute_vector(first: u32) -> vec3f {
@@ -45,6 +48,10 @@ fn voxel_surface(slot: u32) -> VoxelSurface {
     let other = s.double_sided * both;
     s.front = saturate(max(positive, other) * crossing);
     s.back = saturate(max(negative, other) * crossing);
+    s.opacity = 1.0;
+    if (HAS_COVERAGE) {
+        s.opacity = min(f32(attributes[first + ATTRIBUTE_STRIDE - 1]) / frame.attribute_scale, 1.0);
+    }
     if (HAS_VOXEL_EMISSION) {
         s.emission = attribute_vector(first + 11) * per_weight * frame.emission_max;
     }

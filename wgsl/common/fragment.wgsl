@@ -2,12 +2,42 @@
 // triangle) and the texture level whose texels are as large as the voxel.
 
 import package::common::frame::frame;
+import package::common::material::{Material, shading_normal, HAS_TEXTURES};
 import package::common::mesh::{vertices, triangle_indices};
+import package::common::octahedral::{unpack_normal, unpack_tangent};
+
+// A triangle's corners, read once for all its voxels.
+struct Corners {
+    // Voxels.
+    v: array<vec3f, 3>,
+    uv: array<vec2f, 3>,
+    index: vec3u,
+    material: u32,
+    // Of the texture arrays.
+    lod: f32,
+}
 
 struct Fragment {
     weights: vec3f,
     uv: vec2f,
     lod: f32,
+}
+
+fn corners_of(triangle: u32, v: array<vec3f, 3>) -> Corners {
+    var c: Corners;
+    c.v = v;
+    c.index = triangle_indices(triangle);
+    c.material = vertices[c.index.x].material;
+    if (HAS_TEXTURES) {
+        c.uv = array(vertices[c.index.x].uv, vertices[c.index.y].uv, vertices[c.index.z].uv);
+        let e1 = c.uv[1] - c.uv[0];
+        let e2 = c.uv[2] - c.uv[0];
+        let texels = abs(e1.x * e2.y - e1.y * e2.x) * f32(frame.texture_size) * f32(frame.texture_size);
+        let voxels = length(cross(v[1] - v[0], v[2] - v[0]));
+        // Whole, so that one level is read and not two.
+        c.lod = round(0.5 * log2(max(texels / max(voxels, 1e-20), 1.0)));
+    }
+    return c;
 }
 
 // Barycentric weights of the point of triangle abc nearest to p: Ericson, Real-Time Collision
@@ -46,18 +76,22 @@ fn nearest_weights(p: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
     return vec3f(1.0 - (vb + vc) * scale, vb * scale, vc * scale);
 }
 
-fn fragment_at(triangle: u32, v: array<vec3f, 3>, center_voxel: vec3f) -> Fragment {
-    let i = triangle_indices(triangle);
-    let uv0 = vertices[i.x].uv;
-    let uv1 = vertices[i.y].uv;
-    let uv2 = vertices[i.z].uv;
-    var f: Fragment;
-    f.weights = nearest_weights(center_voxel, v[0], v[1], v[2]);
-    f.uv = f.weights.x * uv0 + f.weights.y * uv1 + f.weights.z * uv2;
-    let e1 = uv1 - uv0;
-    let e2 = uv2 - uv0;
-    let texels = abs(e1.x * e2.y - e1.y * e2.x) * f32(frame.texture_size) * f32(frame.texture_size);
-    let voxels = length(cross(v[1] - v[0], v[2] - v[0]));
-    f.lod = 0.5 * log2(max(texels / max(voxels, 1e-20), 1.0));
-    return f;
+fn fragment_at(c: Corners, center_voxel: vec3f) -> Fragment {
+    let w = nearest_weights(center_voxel, c.v[0], c.v[1], c.v[2]);
+    return Fragment(w, w.x * c.uv[0] + w.y * c.uv[1] + w.z * c.uv[2], c.lod);
+}
+
+// Unit, normal map included.
+fn fragment_normal(c: Corners, f: Fragment, material: Material) -> vec3f {
+    let n = f.weights.x * unpack_normal(vertices[c.index.x].normal)
+        + f.weights.y * unpack_normal(vertices[c.index.y].normal)
+        + f.weights.z * unpack_normal(vertices[c.index.z].normal);
+    let normal = normalize(n + vec3f(0.0, 1e-20, 0.0));
+    if (!HAS_TEXTURES) {
+        return normal;
+    }
+    let tangent = f.weights.x * unpack_tangent(vertices[c.index.x].tangent)
+        + f.weights.y * unpack_tangent(vertices[c.index.y].tangent)
+        + f.weights.z * unpack_tangent(vertices[c.index.z].tangent);
+    return shading_normal(material, f.uv, f.lod, normal, tangent);
 }

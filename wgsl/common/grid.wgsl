@@ -11,7 +11,7 @@ struct LevelRun {
 }
 
 fn level_size(level: u32) -> vec3u {
-    return max(frame.grid_size >> vec3u(level), vec3u(1));
+    return frame.grid_size >> vec3u(level);
 }
 
 fn brick_count(level: u32) -> vec3u {

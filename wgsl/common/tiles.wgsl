@@ -1,12 +1,14 @@
-// The voxelizer's unit of work: a triangle's columns in tiles of 8 x 8, so that a wall-sized triangle is
-// many threads' job and a small one is a single thread's. `tile_ranks` is the number of tiles before each
-// triangle, with the total at its end.
+// Work that a triangle's own thread leaves to others. `tile_ranks` holds the number of items before each triangle, and
+// the total at its end: an item is a tile of the triangle's columns in `balanced`, the whole triangle in `hybrid`.
 
-import package::common::frame::to_voxel;
+import package::common::frame::{frame, to_voxel};
 import package::common::mesh::{vertices, triangle_indices};
 import package::common::triangle_box::TriangleBox;
 
-const TILE = 8;
+@group(1) @binding(9) var<storage, read> tile_ranks: array<u32>;
+
+// Columns along a tile's side.
+override TILE: i32 = 8;
 
 fn triangle_voxel(triangle: u32) -> array<vec3f, 3> {
     let i = triangle_indices(triangle);
@@ -18,4 +20,19 @@ fn tile_grid(b: TriangleBox) -> vec2u {
         return vec2u(0);
     }
     return vec2u((b.cell_max.xy - b.cell_min.xy) / TILE + 1);
+}
+
+// The triangle that an item belongs to: the last whose rank is not above it.
+fn item_triangle(item: u32) -> u32 {
+    var low = 0u;
+    var high = frame.triangle_count;
+    while (high - low > 1) {
+        let middle = (low + high) / 2;
+        if (tile_ranks[middle] <= item) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
 }

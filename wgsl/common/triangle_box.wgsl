@@ -16,6 +16,8 @@ struct TriangleBox {
     depth_lo: f32,
     slope: vec2f,
     depth_hi: f32,
+    // Projected along z, voxel².
+    area: f32,
     // A base cell b, or a side cell, is inside the edge's projection where dot(edge.xy, b) + edge.z >= 0.
     edges_xy: array<vec3f, 3>,
     edges_yz: array<vec3f, 3>,
@@ -30,6 +32,12 @@ fn unswizzle(v: vec3u, axis: u32) -> vec3u {
     return select(select(v.xyz, v.yzx, vec3<bool>(axis == 1)), v.zxy, vec3<bool>(axis == 0));
 }
 
+// Of a normal: 0, 1, 2.
+fn dominant_axis(normal: vec3f) -> u32 {
+    let size = abs(normal);
+    return select(select(2u, 1u, size.y > size.z), 0u, size.x >= size.y && size.x >= size.z);
+}
+
 fn edge_test(edge: vec2f, vertex: vec2f, facing: f32) -> vec3f {
     let n = vec2f(-edge.y, edge.x) * sign(facing);
     if (CONSERVATIVE) {
@@ -41,9 +49,9 @@ fn edge_test(edge: vec2f, vertex: vec2f, facing: f32) -> vec3f {
 fn triangle_box(v: array<vec3f, 3>) -> TriangleBox {
     var b: TriangleBox;
     let normal_ws = cross(v[1] - v[0], v[2] - v[1]);
-    let size = abs(normal_ws);
-    b.axis = select(select(2u, 1u, size.y > size.z), 0u, size.x >= size.y && size.x >= size.z);
+    b.axis = dominant_axis(normal_ws);
     let n = swizzle(normal_ws, b.axis);
+    b.area = 0.5 * abs(n.z);
     let p = array(swizzle(v[0], b.axis), swizzle(v[1], b.axis), swizzle(v[2], b.axis));
     let grid_max = vec3i(swizzle(vec3f(frame.grid_size), b.axis)) - 1;
     let lowest = min(p[0], min(p[1], p[2]));

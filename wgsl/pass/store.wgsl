@@ -12,6 +12,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
     var cell: vec3u;
     if (level_cell(slot, 0, &cell)) {
-        voxel_store(cell, slot_radiance[slot].rgb, voxel_surface(slot).normal, 1.0);
+        let surface = voxel_surface(slot);
+        voxel_store(cell, slot_radiance[slot].rgb, surface.normal, surface.opacity);
     }
 }

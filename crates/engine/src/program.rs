@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use voxlume_graph::{Bind, Plan, Program, ResourceKind, Target};
 use voxlume_shader::{Access, BindingKind, SampleKind, TextureDim};
 
-use crate::resources::{Object, buffer_with, image_format};
+use crate::resources::{Object, RASTER_FORMAT, buffer_with, image_format};
 use crate::{Error, Gpu};
 
 /// Pipelines and shader modules, each made once.
@@ -79,16 +79,47 @@ impl Programs {
         colors: &[Option<usize>],
         reversed: bool,
     ) -> Result<Ready, Error> {
-        let key = format!("{} {:?} {colors:?}", program.shader, program.constants);
+        let target = |index: usize| {
+            let ResourceKind::Image { texel, .. } = plan.resources[index].kind else { return None };
+            Some(wgpu::ColorTargetState::from(image_format(texel)))
+        };
+        let targets: Vec<_> = colors.iter().map(|color| color.and_then(target)).collect();
+        self.render(gpu, plan, objects, label, program, &targets, Some(depth_state(reversed)))
+    }
+
+    /// A program whose fragments write to buffers only.
+    pub fn raster(
+        &mut self,
+        gpu: &Gpu,
+        plan: &Plan,
+        objects: &[Object],
+        label: &str,
+        program: &Program,
+    ) -> Result<Ready, Error> {
+        let target = wgpu::ColorTargetState {
+            format: RASTER_FORMAT,
+            blend: None,
+            write_mask: wgpu::ColorWrites::empty(),
+        };
+        self.render(gpu, plan, objects, label, program, &[Some(target)], None)
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "a draw is a program and its targets")]
+    fn render(
+        &mut self,
+        gpu: &Gpu,
+        plan: &Plan,
+        objects: &[Object],
+        label: &str,
+        program: &Program,
+        targets: &[Option<wgpu::ColorTargetState>],
+        depth_stencil: Option<wgpu::DepthStencilState>,
+    ) -> Result<Ready, Error> {
+        let key = format!("{} {:?} {targets:?}", program.shader, program.constants);
         let layouts = layouts(gpu, program, wgpu::ShaderStages::VERTEX_FRAGMENT);
         if !self.render.contains_key(&key) {
             let constants = constants(program);
             let module = &self.modules[program.shader];
-            let target = |index: usize| {
-                let ResourceKind::Image { texel, .. } = plan.resources[index].kind else { return None };
-                Some(wgpu::ColorTargetState::from(image_format(texel)))
-            };
-            let targets: Vec<_> = colors.iter().map(|color| color.and_then(target)).collect();
             let pipeline = gpu.guarded(label, || {
                 gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                     label: Some(label),
@@ -100,13 +131,13 @@ impl Programs {
                         buffers: &[],
                     },
                     primitive: wgpu::PrimitiveState::default(),
-                    depth_stencil: Some(depth_state(reversed)),
+                    depth_stencil,
                     multisample: wgpu::MultisampleState::default(),
                     fragment: Some(wgpu::FragmentState {
                         module,
                         entry_point: Some("fragment_main"),
                         compilation_options: options(&constants),
-                        targets: &targets,
+                        targets,
                     }),
                     multiview_mask: None,
                     cache: None,
@@ -173,7 +204,13 @@ fn layouts(
                 .filter(|bind| bind.group == group)
                 .map(|bind| wgpu::BindGroupLayoutEntry {
                     binding: bind.binding,
-                    visibility,
+                    visibility: match bind.kind {
+                        // No vertex shader may write.
+                        BindingKind::Storage { read_only: false, .. } => {
+                            visibility - wgpu::ShaderStages::VERTEX
+                        }
+                        _ => visibility,
+                    },
                     ty: binding_type(&bind.kind),
                     count: None,
                 })

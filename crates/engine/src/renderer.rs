@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use voxlume_graph::{Groups, Plan, ResourceKind, SceneFacts, Step};
+use voxlume_graph::{Groups, Plan, ResourceKind, SceneFacts, Step, Vertices};
 use voxlume_scene::{Camera, Scene};
 
 use crate::image::Picture;
@@ -152,6 +152,9 @@ impl<'g> Renderer<'g> {
             Step::Compute { program, .. } => {
                 Some(programs.compute(self.gpu, &self.plan, &self.objects, label, program)?)
             }
+            Step::Raster { program, .. } => {
+                Some(programs.raster(self.gpu, &self.plan, &self.objects, label, program)?)
+            }
             Step::Draw { program, colors, reversed, .. } => {
                 Some(programs.draw(self.gpu, &self.plan, &self.objects, label, program, colors, *reversed)?)
             }
@@ -239,6 +242,10 @@ impl<'g> Renderer<'g> {
                         self.dispatch(&mut pass, &steps[index], &ready[index]);
                     }
                 }
+                Step::Raster { target, vertices, .. } => {
+                    let writes = queries.and_then(|(q, index)| q.render(index, ends));
+                    self.raster(encoder, *target, *vertices, &ready[run.start], writes);
+                }
                 Step::Draw { colors, depth, reversed, .. } => {
                     let writes = queries.and_then(|(q, index)| q.render(index, ends));
                     self.draw(encoder, colors, *depth, *reversed, &ready[run.start], writes);
@@ -261,6 +268,45 @@ impl<'g> Renderer<'g> {
             Groups::Indirect { resource, offset } => {
                 if let Object::Buffer(buffer) = &self.objects[*resource] {
                     pass.dispatch_workgroups_indirect(buffer, *offset);
+                }
+            }
+        }
+    }
+
+    fn raster(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        target: usize,
+        vertices: Vertices,
+        ready: &Option<Ready>,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
+        let (Object::Texture(texture), Some(Ready::Draw(pipeline, bind_groups))) =
+            (&self.objects[target], ready)
+        else {
+            return;
+        };
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let ops = wgpu::Operations {
+            load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+            store: wgpu::StoreOp::Discard,
+        };
+        let attachment =
+            wgpu::RenderPassColorAttachment { view: &view, depth_slice: None, resolve_target: None, ops };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(attachment)],
+            timestamp_writes,
+            ..Default::default()
+        });
+        pass.set_pipeline(pipeline);
+        for (index, group) in used(bind_groups) {
+            pass.set_bind_group(index, group, &[]);
+        }
+        match vertices {
+            Vertices::Fixed(count) => pass.draw(0..count, 0..1),
+            Vertices::Indirect { resource, offset } => {
+                if let Object::Buffer(buffer) = &self.objects[resource] {
+                    pass.draw_indirect(buffer, offset);
                 }
             }
         }

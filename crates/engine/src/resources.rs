@@ -193,6 +193,10 @@ pub(crate) fn create(
             };
             texture([width, height, layers], 1, wgpu::TextureDimension::D2, image_format(texel), usage)
         }
+        ResourceKind::Raster { side } => {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            texture([side, side, 1], 1, wgpu::TextureDimension::D2, RASTER_FORMAT, usage)
+        }
         ResourceKind::ShadowMaps { size, layers } => {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
             texture(
@@ -205,6 +209,9 @@ pub(crate) fn create(
         }
     }
 }
+
+/// The least that WebGPU renders to: a pass must have a target.
+pub(crate) const RASTER_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
 fn volume_format(encoding: Encoding) -> wgpu::TextureFormat {
     match encoding {

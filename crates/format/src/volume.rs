@@ -2,9 +2,9 @@
 
 use crate::Encoding;
 
-/// Levels of a grid: down to the one whose longest side is one cell.
+/// Levels of a grid: down to the one where some side can't be halved exactly.
 pub fn level_count(grid: [u32; 3]) -> u32 {
-    grid.into_iter().max().unwrap_or(1).max(1).ilog2() + 1
+    grid.into_iter().map(|side| side.max(1).trailing_zeros()).min().unwrap_or(0) + 1
 }
 
 /// Which of the grid's levels a volume holds.

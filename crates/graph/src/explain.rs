@@ -50,7 +50,7 @@ fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
         match step {
             Step::Compute { groups: Groups::Fixed(_), .. } => compute += 1,
             Step::Compute { groups: Groups::Indirect { .. }, .. } => indirect += 1,
-            Step::Draw { .. } => draws += 1,
+            Step::Draw { .. } | Step::Raster { .. } => draws += 1,
             Step::Clear(_) | Step::Counted => {}
         }
     }
@@ -77,6 +77,7 @@ fn shape(plan: &Plan, kind: &ResourceKind) -> String {
         ResourceKind::Image { layers, .. } => {
             format!("{width} × {height} image, {}", count(*layers, "layer"))
         }
+        ResourceKind::Raster { side } => format!("{side} × {side} fragments"),
         ResourceKind::ShadowMaps { size, layers } => {
             format!("{size} × {size} depth, {}", count(*layers, "layer"))
         }

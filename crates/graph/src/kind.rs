@@ -50,6 +50,8 @@ pub enum Values {
     Words(&'static [&'static str]),
     /// A whole number in this range, ends included.
     Whole(u32, u32),
+    /// A number in this range, ends included.
+    Number(f64, f64),
 }
 
 const fn port(name: &'static str, sentence: &'static str) -> Port {
@@ -71,7 +73,23 @@ pub const KINDS: &[Kind] = &[
         reads: &[],
         writes: &[VOXELS],
         updates: &[],
-        words: &[],
+        words: &[
+            ParamWords {
+                name: "method",
+                sentence: "who walks a triangle's voxels; the voxels are the same; `balanced` unless given",
+                values: Values::Words(&["triangle", "fragment", "hybrid", "balanced"]),
+            },
+            ParamWords {
+                name: "cutoff",
+                sentence: "voxel² of projected area up to which `hybrid` has a thread walk a triangle; 4 unless given",
+                values: Values::Number(0.0, 1e9),
+            },
+            ParamWords {
+                name: "coverage",
+                sentence: "opacity of a voxel: 1, or the area that triangles cover of its face; `binary` unless given",
+                values: Values::Words(&["binary", "area"]),
+            },
+        ],
         expand: expand::voxelize::voxelize,
     },
     Kind {

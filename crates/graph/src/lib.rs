@@ -17,10 +17,10 @@ mod planner;
 
 pub use explain::explain;
 pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
-pub use grid::{Grid, fixed_point_scale};
+pub use grid::{Extent, Grid, fixed_point_scale};
 pub use kind::{KINDS, Kind, ParamWords, Port, SURFACE_IMAGES, Values};
 pub use pipeline::{Located, Param, PassEntry, Pipeline, Value};
 pub use plan::{
-    Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target,
+    Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target, Vertices,
 };
 pub use planner::{Request, plan};

@@ -51,6 +51,34 @@ impl<'a> Params<'a> {
         None
     }
 
+    /// A word, or the first-named default where the file gives none.
+    pub fn word_or(
+        &mut self,
+        kind: &Kind,
+        name: &str,
+        default: &'static str,
+        faults: &mut Faults,
+    ) -> Option<&'static str> {
+        if self.gives(name) { self.word(kind, name, faults) } else { Some(default) }
+    }
+
+    /// A number of the kind itself, or the default where the file gives none.
+    pub fn number_or(&mut self, kind: &Kind, name: &str, default: f64, faults: &mut Faults) -> Option<f64> {
+        let Values::Number(low, high) = spec(kind, name)? else { return None };
+        let Some(param) = self.find(name) else { return Some(default) };
+        match param.value {
+            Value::Number(n) if n >= *low && n <= *high => Some(n),
+            _ => {
+                faults.push(self.wrong(param, format!("a number from {low} to {high}")));
+                None
+            }
+        }
+    }
+
+    fn gives(&mut self, name: &str) -> bool {
+        self.find(name).is_some()
+    }
+
     /// A parameter of the kind itself, as a whole number.
     pub fn whole(&mut self, kind: &Kind, name: &str, faults: &mut Faults) -> Option<u32> {
         let Values::Whole(low, high) = spec(kind, name)? else { return None };

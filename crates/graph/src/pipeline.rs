@@ -4,8 +4,11 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
+use glam::DVec3;
 use voxlume_fault::ron::{Document, Fields, Node};
-use voxlume_fault::{Fault, Faults, Source};
+use voxlume_fault::{Fault, Faults, Source, one_of};
+
+use crate::grid::Extent;
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
 #[derive(Clone, Debug)]
@@ -18,6 +21,8 @@ pub struct Pipeline {
     pub encoding: Located<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Located<u32>,
+    /// What space the grid takes.
+    pub extent: Extent,
     /// Thin (6) or conservative (26).
     pub separability: Located<String>,
     /// Name of the image that is the result.
@@ -117,6 +122,10 @@ impl Pipeline {
         let format = located::<String>(&mut fields, "format", &mut faults);
         let encoding = located::<String>(&mut fields, "encoding", &mut faults);
         let resolution = located::<u32>(&mut fields, "resolution", &mut faults);
+        let extent = match fields.node("grid") {
+            Some(node) => faults.gather(extent(node)),
+            None => Some(Extent::Cubic),
+        };
         let separability = located::<String>(&mut fields, "separability", &mut faults);
         let output = located::<String>(&mut fields, "output", &mut faults);
         let passes = fields
@@ -130,6 +139,7 @@ impl Pipeline {
                 format: format?,
                 encoding: encoding?,
                 resolution: resolution?,
+                extent: extent?,
                 separability: separability?,
                 output: output?,
                 passes: passes?,
@@ -167,6 +177,52 @@ fn located<T: voxlume_fault::ron::FromRon>(
     let node = fields.required_node(name, faults)?;
     let value = faults.gather(node.get())?;
     Some(Located { value, span: Some(node.span()) })
+}
+
+/// `(fit: "cubic")`, `(fit: "bounds")`, or `(min: (x, y, z), max: (x, y, z))`.
+fn extent(node: Node<'_>) -> Result<Extent, Faults> {
+    const FITS: [&str; 2] = ["cubic", "bounds"];
+    let mut faults = Faults::default();
+    let mut fields = Fields::of(node)?;
+    let fit = fields.node("fit");
+    let mut corner = |name: &str, faults: &mut Faults| {
+        let node = fields.node(name)?;
+        let numbers: Vec<f64> = faults.gather(node.get())?;
+        match <[f64; 3]>::try_from(numbers) {
+            Ok(corner) if corner.iter().all(|n| n.is_finite()) => Some((DVec3::from_array(corner), node)),
+            _ => {
+                faults.push(node.fault(format!("`{name}` must be a point"), "three finite numbers"));
+                None
+            }
+        }
+    };
+    let corners = (corner("min", &mut faults), corner("max", &mut faults));
+    fields.finish(&mut faults);
+    let extent = match (fit, corners) {
+        (Some(fit), (None, None)) => match faults.gather(fit.get::<String>()) {
+            Some(word) if word == "cubic" => Some(Extent::Cubic),
+            Some(word) if word == "bounds" => Some(Extent::Bounds),
+            Some(word) => {
+                faults.push(fit.fault(format!("unknown fit `{word}`"), one_of(FITS)));
+                None
+            }
+            None => None,
+        },
+        (None, (Some((low, _)), Some((high, _)))) if low.cmplt(high).all() => Some(Extent::Box(low, high)),
+        (None, (Some(_), Some((_, at)))) => {
+            faults.push(at.fault("the grid is empty", "each coordinate must be above that of `min`"));
+            None
+        }
+        _ => None,
+    };
+    match extent {
+        Some(extent) if faults.is_empty() => Ok(extent),
+        _ if faults.is_empty() => {
+            let label = "either `fit: \"cubic\"` or `fit: \"bounds\"`, or both `min` and `max`";
+            Err(node.fault("the grid is neither fitted nor given", label).into())
+        }
+        _ => Err(faults),
+    }
 }
 
 fn names(fields: &mut Fields<'_>, name: &str, faults: &mut Faults) -> Vec<Located<String>> {

@@ -68,6 +68,11 @@ pub enum ResourceKind {
         /// Array layers.
         layers: u32,
     },
+    /// A square of one byte a texel, which gives rasterization its extent.
+    Raster {
+        /// Side in texels.
+        side: u32,
+    },
     /// Depth maps of lights.
     ShadowMaps {
         /// Side in texels.
@@ -136,6 +141,16 @@ pub enum Step {
         /// Depth is reversed: 1 is near, 0 infinitely far.
         reversed: bool,
     },
+    /// Triangles that the program makes of vertex numbers alone, onto a target that nothing is drawn on: what its
+    /// fragments do is write to buffers.
+    Raster {
+        /// The program; its entry points are `vertex_main` and `fragment_main`.
+        program: Program,
+        /// The target.
+        target: usize,
+        /// How many vertices.
+        vertices: Vertices,
+    },
     /// Buffers sized by the number of occupied cells can be made from here on.
     Counted,
 }
@@ -200,6 +215,20 @@ pub enum Groups {
     },
 }
 
+/// Vertices of a [`Step::Raster`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vertices {
+    /// This many.
+    Fixed(u32),
+    /// As many as a buffer says at an offset in bytes.
+    Indirect {
+        /// The buffer.
+        resource: usize,
+        /// Where its four words are: vertices, instances, and the first of each.
+        offset: u64,
+    },
+}
+
 /// Something that was left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOut {
@@ -228,6 +257,7 @@ impl Plan {
             ResourceKind::PerCell(bytes) => bytes * cells,
             ResourceKind::Volume { size, mips, encoding } => volume_bytes(*size, *mips, *encoding),
             ResourceKind::Image { texel, layers } => width * height * u64::from(*layers) * texel.bytes(),
+            ResourceKind::Raster { side } => u64::from(*side).pow(2),
             ResourceKind::ShadowMaps { size, layers } => u64::from(*size).pow(2) * u64::from(*layers) * 4,
         })
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Component, Path};
 
-use voxlume_fault::{Fault, Faults, Source, one_of, suggest};
+use voxlume_fault::{Fault, Faults, Source, suggest};
 use voxlume_format::{Encoding, Formats};
 use voxlume_shader::Library;
 
@@ -83,8 +83,7 @@ pub fn plan(
     }
     let resolution = &pipeline.resolution;
     if !Grid::RESOLUTIONS.contains(&resolution.value) {
-        let choices = Grid::RESOLUTIONS.map(|n| n.to_string());
-        let label = one_of(choices.iter().map(String::as_str));
+        let label = format!("from {} to {}", Grid::RESOLUTIONS.start(), Grid::RESOLUTIONS.end());
         let message = format!("a grid of {0} × {0} × {0} voxels", resolution.value);
         faults.push(pipeline.fault(&resolution.span, message, label));
     }
@@ -102,7 +101,7 @@ pub fn plan(
     };
 
     let area_lights = uses_area_lights(pipeline, facts);
-    let grid = Grid::fit(pipeline.resolution.value, facts.bounds);
+    let grid = Grid::new(pipeline.resolution.value, pipeline.extent, facts.bounds);
     let mut context =
         Context::new(pipeline, facts, format, encoding, grid, request.screen, library, area_lights);
     let live = live(pipeline, &makers, &mut context);
@@ -407,6 +406,8 @@ fn explain_channels(context: &mut Context<'_>) {
             left_out.push(LeftOut { what: what.into(), why: why.into(), bytes });
         }
     };
+    let inside = facts.bounds.is_none_or(|bounds| context.grid.holds(bounds));
+    note(!inside, "what lies outside the grid", "the pipeline gives the grid's corners", 0);
     note(!facts.emissive, "emission image", "no material emits", 8 * width * height);
     let why = if facts.emissive { "what emits is lit as area lights" } else { "no material emits" };
     note(!context.voxel_emission(), "emission in voxels (12 bytes each)", why, 0);

@@ -12,11 +12,14 @@ fn every_builtin_module_is_valid() {
         let paths = library.paths().filter(|path| path.split('/').next() == Some(folder));
         paths.map(|path| path.split('/').take(depth).collect::<Vec<_>>().join("/")).collect::<BTreeSet<_>>()
     };
-    let (formats, effects) = (in_folder("format", 2), in_folder("effect", 2));
-    assert!(!formats.is_empty() && !effects.is_empty());
+    let [formats, effects, visitors] = ["format", "effect", "visitor"].map(|folder| in_folder(folder, 2));
+    assert!(!formats.is_empty() && !effects.is_empty() && !visitors.is_empty());
     let formats: Vec<&str> = formats.iter().map(String::as_str).collect();
     let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
 
-    let faults = check_all(&library, &[("format", &formats), ("effect", &effects)]);
+    let visitors: Vec<&str> = visitors.iter().map(String::as_str).collect();
+
+    let alternatives = [("format", &formats[..]), ("effect", &effects), ("visitor", &visitors)];
+    let faults = check_all(&library, &alternatives);
     assert!(faults.is_empty(), "\n{faults}");
 }

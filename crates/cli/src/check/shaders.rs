@@ -22,8 +22,10 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Libr
     }
     let formats: Vec<&str> = formats.iter().map(|format| format.modules()).collect();
     for (library, _) in &rounds {
-        let effects: Vec<&str> = library.paths().filter(|path| path.starts_with("effect/")).collect();
-        faults.extend(check_all(library, &[("format", &formats), ("effect", &effects)]));
+        let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
+        let (effects, visitors) = (folder("effect/"), folder("visitor/"));
+        let alternatives = [("format", &formats[..]), ("effect", &effects), ("visitor", &visitors)];
+        faults.extend(check_all(library, &alternatives));
     }
     faults
 }

@@ -72,9 +72,9 @@ pub fn cells(
             }
             continue;
         }
-        let choices = Grid::RESOLUTIONS.map(|n| n.to_string());
+        let range = Grid::RESOLUTIONS;
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
-        faults.push(fault.note(one_of(choices.iter().map(String::as_str))));
+        faults.push(fault.note(format!("each side: {} to {}", range.start(), range.end())));
     }
     let subjects = subjects(args, &mut faults);
     let [width, height] = args.size;

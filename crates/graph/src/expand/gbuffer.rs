@@ -15,7 +15,7 @@ pub(crate) fn gbuffer(e: &mut Expansion<'_, '_>) {
     let colors = targets.map(|(name, texel)| {
         e.context.surface_images.contains(name).then(|| e.context.resource(name, image(texel)))
     });
-    let emission = [("HAS_EMISSION", e.context.facts.emissive)];
+    let emission = [("HAS_EMISSION", f64::from(e.context.facts.emissive))];
     let binds = Binds { constants: &emission, ..Binds::default() };
     if let Some(program) = e.program_of("pass/gbuffer", &["vertex_main", "fragment_main"], &binds) {
         e.steps.push(Step::Draw { program, colors: colors.to_vec(), depth: (depth, 0), reversed: true });

@@ -22,8 +22,8 @@ pub(crate) fn light(e: &mut Expansion<'_, '_>) {
     e.uses("shadow_maps");
     let maps = occlusion == Some("shadow_map") && e.context.available.contains("shadow_maps");
     let direct = [("direct", Target::Resource(e.context.radiance))];
-    let constants = [("USE_SHADOW_MAP", maps)];
-    e.compute_cells("pass/light", &Binds { targets: &direct, constants: &constants, effect: "" }, 0);
+    let constants = [("USE_SHADOW_MAP", f64::from(maps))];
+    e.compute_cells("pass/light", &Binds { targets: &direct, constants: &constants, mount: None }, 0);
 }
 
 pub(crate) fn filter(e: &mut Expansion<'_, '_>) {
@@ -61,8 +61,8 @@ fn gather(e: &mut Expansion<'_, '_>, direct: usize, bounced: usize, add_direct: 
     let volumes = volume_targets(e);
     let all: Vec<_> =
         targets.into_iter().chain(volumes.iter().map(|(n, t)| (n.as_str(), t.clone()))).collect();
-    let constants = [("ADD_DIRECT", add_direct)];
-    e.compute_cells("pass/bounce", &Binds { targets: &all, constants: &constants, effect: "" }, 0);
+    let constants = [("ADD_DIRECT", f64::from(add_direct))];
+    e.compute_cells("pass/bounce", &Binds { targets: &all, constants: &constants, mount: None }, 0);
 }
 
 /// The format's volumes, made at their first use.

@@ -36,7 +36,7 @@ const SCENE: [&str; 11] = [
 
 /// Variables that make up `voxels`.
 const VOXELS: [&str; 8] =
-    ["occupancy", "ranks", "cells", "levels", "attributes", "tile_ranks", "tile_groups", "scan_runs"];
+    ["occupancy", "ranks", "cells", "levels", "attributes", "tile_ranks", "item_groups", "scan_runs"];
 
 /// What planning builds up.
 pub(crate) struct Context<'a> {
@@ -57,6 +57,8 @@ pub(crate) struct Context<'a> {
     pub resources: Vec<Resource>,
     pub left_out: Vec<LeftOut>,
     pub faults: Faults,
+    /// Whether voxels are as opaque as the area that triangles cover in them.
+    pub coverage: bool,
     /// The buffer with every voxel's light that stays from bounce to bounce.
     pub radiance: usize,
     /// The buffer with what the volume holds first: the same, or with what is gathered of emission.
@@ -91,6 +93,7 @@ impl<'a> Context<'a> {
             resources: Vec::new(),
             left_out: Vec::new(),
             faults: Faults::default(),
+            coverage: false,
             radiance: 0,
             first: 0,
         }
@@ -109,16 +112,14 @@ impl<'a> Context<'a> {
         self.resources.iter().position(|resource| resource.name == name)
     }
 
-    /// Links and checks a module, once for each effect.
-    fn shader(&mut self, entry: &str, effect: &str) -> Option<usize> {
-        let key = (entry.to_owned(), effect.to_owned());
+    /// Links and checks a module, once for each mount.
+    fn shader(&mut self, entry: &str, mount: Option<(&str, &str)>) -> Option<usize> {
+        let key = (entry.to_owned(), mount.map(|(_, target)| target).unwrap_or_default().to_owned());
         if let Some(shader) = self.linked.get(&key) {
             return Some(*shader);
         }
         let mut mounts = vec![("format", self.format.modules())];
-        if !effect.is_empty() {
-            mounts.push(("effect", effect));
-        }
+        mounts.extend(mount);
         let checked = link(&self.library, entry, &mounts).and_then(voxlume_shader::Linked::check);
         let shader = self.faults.gather(checked)?;
         self.shaders.push(shader);
@@ -143,6 +144,7 @@ impl<'a> Context<'a> {
             ("HAS_ALPHA_MASK", flag(facts.masked)),
             ("HAS_EMISSION", flag(self.voxel_emission())),
             ("HAS_VOXEL_EMISSION", flag(self.voxel_emission())),
+            ("HAS_COVERAGE", flag(self.coverage)),
             ("HAS_DIRECTIONAL", flag(facts.directional > 0)),
             ("HAS_POINT", flag(facts.point > 0)),
             ("HAS_SPOT", flag(facts.spot > 0)),
@@ -157,9 +159,10 @@ impl<'a> Context<'a> {
         self.facts.emissive && !self.area_lights
     }
 
-    /// Words of a voxel's attributes: two weights, reflectance, two of normals, and emission if there is any.
+    /// Words of a voxel's attributes: two weights, reflectance, two of normals, emission if there is any, and the
+    /// area covered if it counts.
     pub fn attribute_stride(&self) -> u32 {
-        if self.voxel_emission() { 14 } else { 11 }
+        11 + if self.voxel_emission() { 3 } else { 0 } + u32::from(self.coverage)
     }
 
     /// Lights of all kinds.
@@ -184,8 +187,9 @@ pub(crate) struct Expansion<'c, 'a> {
 #[derive(Default)]
 pub(crate) struct Binds<'b> {
     pub targets: &'b [(&'b str, Target)],
-    pub constants: &'b [(&'b str, bool)],
-    pub effect: &'b str,
+    pub constants: &'b [(&'b str, f64)],
+    /// A name that the module imports from and the module that it stands for.
+    pub mount: Option<(&'b str, &'b str)>,
 }
 
 impl<'c, 'a> Expansion<'c, 'a> {
@@ -206,7 +210,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
         entries: &[&'static str],
         binds: &Binds<'_>,
     ) -> Option<Program> {
-        let shader = self.context.shader(module, binds.effect)?;
+        let shader = self.context.shader(module, binds.mount)?;
         let mut bindings: Vec<Binding> = Vec::new();
         for entry in entries {
             for binding in self.context.shaders[shader].bindings(entry) {
@@ -245,16 +249,13 @@ impl<'c, 'a> Expansion<'c, 'a> {
         })
     }
 
-    fn constants(&self, shader: usize, own: &[(&str, bool)]) -> Vec<(String, f64)> {
+    fn constants(&self, shader: usize, own: &[(&str, f64)]) -> Vec<(String, f64)> {
         let declared = self.context.shaders[shader].overrides();
         let known = self.context.constants();
         declared
             .iter()
             .filter_map(|item| {
-                let given =
-                    own.iter().find(|(name, _)| *name == item.name).map(|(_, on)| f64::from(u8::from(*on)));
-                let value =
-                    given.or_else(|| known.iter().find(|(name, _)| *name == item.name).map(|(_, v)| *v));
+                let value = own.iter().chain(&known).find(|(name, _)| *name == item.name).map(|(_, v)| *v);
                 // `HAS_X` of an image x says whether it is there to be read.
                 let image = || {
                     let image = item.name.strip_prefix("HAS_")?.to_lowercase();

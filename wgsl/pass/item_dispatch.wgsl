@@ -1,0 +1,20 @@
+// How much there is of what triangles left to others.
+
+import package::common::dispatch::dispatch_groups;
+import package::common::frame::frame;
+import package::common::tiles::tile_ranks;
+
+@group(1) @binding(7) var<storage, read_write> item_groups: vec4u;
+
+// Triangles to draw, or workgroups of 64 threads with an item each.
+override DRAWN: bool = false;
+
+@compute @workgroup_size(1)
+fn main() {
+    let items = tile_ranks[frame.triangle_count];
+    if (DRAWN) {
+        item_groups = vec4u(3 * items, 1, 0, 0);
+    } else {
+        item_groups = vec4u(dispatch_groups(items, 64), 0);
+    }
+}

@@ -1,0 +1,116 @@
+// A fragment a column (RAU §4.1.2): triangles drawn along their dominant axis onto a target as large as the grid's
+// side, each widened so that every column that it overlaps has its centre inside (Hasselgren et al., GPU Gems 2, ch. 42).
+
+import package::common::column_walk::visit_column;
+import package::common::frame::frame;
+import package::common::tiles::{item_triangle, triangle_voxel};
+import package::common::triangle_box::{TriangleBox, swizzle, triangle_box};
+import package::visitor::visitor;
+
+// Whether only triangles that were left are drawn, or all.
+override DEFERRED: bool = true;
+
+struct Varyings {
+    @builtin(position) clip: vec4f,
+    @location(0) @interpolate(flat) cell_min: vec4i,
+    @location(1) @interpolate(flat) cell_max: vec4i,
+    @location(2) @interpolate(flat) plane: vec4f,
+    @location(3) @interpolate(flat) xy0: vec3f,
+    @location(4) @interpolate(flat) xy1: vec3f,
+    @location(5) @interpolate(flat) xy2: vec3f,
+    @location(6) @interpolate(flat) yz0: vec3f,
+    @location(7) @interpolate(flat) yz1: vec3f,
+    @location(8) @interpolate(flat) yz2: vec3f,
+    @location(9) @interpolate(flat) zx0: vec3f,
+    @location(10) @interpolate(flat) zx1: vec3f,
+    @location(11) @interpolate(flat) zx2: vec3f,
+    @location(12) @interpolate(flat) triangle: u32,
+}
+
+// How far the edges move, voxels: half a cell's diagonal, and what rounding may take.
+const DILATION = 0.75;
+
+// A corner of the triangle that holds all columns of the box.
+fn box_corner(b: TriangleBox, corner: u32) -> vec2f {
+    let low = vec2f(b.cell_min.xy);
+    let extent = vec2f(b.cell_max.xy + 1) - low;
+    return low - 1.0 + 2.0 * (extent + 2.0) * vec2f(vec2u(corner & 1, corner >> 1));
+}
+
+fn corner_position(b: TriangleBox, v: array<vec3f, 3>, corner: u32) -> vec2f {
+    let p = array(swizzle(v[0], b.axis).xy, swizzle(v[1], b.axis).xy, swizzle(v[2], b.axis).xy);
+    let here = p[corner];
+    let before = normalize(here - p[(corner + 2) % 3]);
+    let after = normalize(p[(corner + 1) % 3] - here);
+    // Outwards along both edges; both edges move by DILATION where it is divided by the sine between them.
+    let sine = abs(before.x * after.y - before.y * after.x);
+    return here + (before - after) * (DILATION / sine);
+}
+
+// Whether moved edges meet near enough to be found exactly.
+fn is_compact(b: TriangleBox, v: array<vec3f, 3>) -> bool {
+    let extent = vec2f(b.cell_max.xy - b.cell_min.xy + 1);
+    let low = vec2f(b.cell_min.xy) - extent - 4.0;
+    let high = vec2f(b.cell_max.xy) + extent + 5.0;
+    for (var i = 0u; i < 3; i++) {
+        let p = corner_position(b, v, i);
+        // False for what is not a number.
+        if (!(all(p >= low) && all(p <= high))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+@vertex
+fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
+    var triangle = index / 3;
+    if (DEFERRED) {
+        triangle = item_triangle(triangle);
+    }
+    let v = triangle_voxel(triangle);
+    let b = triangle_box(v);
+    var o: Varyings;
+    if (any(b.cell_min > b.cell_max)) {
+        // Beyond the view: nothing is drawn.
+        o.clip = vec4f(2.0, 2.0, 0.0, 1.0);
+        return o;
+    }
+    let corner = index % 3;
+    let p = select(box_corner(b, corner), corner_position(b, v, corner), is_compact(b, v));
+    let side = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
+    o.clip = vec4f(p / side * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0), 0.0, 1.0);
+    o.cell_min = vec4i(b.cell_min, i32(b.axis));
+    o.cell_max = vec4i(b.cell_max, 0);
+    o.plane = vec4f(b.slope, b.depth_lo, b.depth_hi);
+    o.xy0 = b.edges_xy[0];
+    o.xy1 = b.edges_xy[1];
+    o.xy2 = b.edges_xy[2];
+    o.yz0 = b.edges_yz[0];
+    o.yz1 = b.edges_yz[1];
+    o.yz2 = b.edges_yz[2];
+    o.zx0 = b.edges_zx[0];
+    o.zx1 = b.edges_zx[1];
+    o.zx2 = b.edges_zx[2];
+    o.triangle = triangle;
+    return o;
+}
+
+@fragment
+fn fragment_main(o: Varyings) {
+    let column = vec2i(floor(o.clip.xy));
+    if (any(column < o.cell_min.xy) || any(column > o.cell_max.xy)) {
+        return;
+    }
+    var b: TriangleBox;
+    b.cell_min = o.cell_min.xyz;
+    b.axis = u32(o.cell_min.w);
+    b.cell_max = o.cell_max.xyz;
+    b.slope = o.plane.xy;
+    b.depth_lo = o.plane.z;
+    b.depth_hi = o.plane.w;
+    b.edges_xy = array(o.xy0, o.xy1, o.xy2);
+    b.edges_yz = array(o.yz0, o.yz1, o.yz2);
+    b.edges_zx = array(o.zx0, o.zx1, o.zx2);
+    visit_column(visitor(o.triangle, triangle_voxel(o.triangle)), b, column);
+}

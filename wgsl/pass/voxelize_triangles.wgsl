@@ -1,0 +1,51 @@
+// A thread a triangle (RAU §4.1.1), which walks all its columns or leaves it to others.
+
+import package::common::column_walk::visit_columns;
+import package::common::dispatch::dispatch_index;
+import package::common::frame::frame;
+import package::common::tiles::{triangle_voxel, tile_grid};
+import package::common::triangle_box::{TriangleBox, triangle_box};
+import package::visitor::visitor;
+
+@group(1) @binding(8) var<storage, read_write> item_counts: array<u32>;
+
+// What is left to others: nothing; triangles of several tiles, a tile an item; large triangles, each an item.
+override DEFER: u32 = 0;
+const DEFER_TILES = 1u;
+const DEFER_LARGE = 2u;
+// Projected area from which a triangle is large, voxel².
+override CUTOFF: f32 = 4.0;
+// Whether the items are still to be counted.
+override COUNTS: bool = true;
+
+fn items(b: TriangleBox) -> u32 {
+    if (DEFER == DEFER_TILES) {
+        let grid = tile_grid(b);
+        return select(0u, grid.x * grid.y, grid.x * grid.y > 1);
+    }
+    if (DEFER == DEFER_LARGE) {
+        return select(0u, 1u, b.area > CUTOFF && all(b.cell_min <= b.cell_max));
+    }
+    return 0;
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let triangle = dispatch_index(id, 64);
+    if (triangle >= frame.triangle_count) {
+        // One past the last holds the total.
+        if (COUNTS && triangle == frame.triangle_count) {
+            item_counts[triangle] = 0;
+        }
+        return;
+    }
+    let v = triangle_voxel(triangle);
+    let b = triangle_box(v);
+    let left = items(b);
+    if (COUNTS && DEFER != 0) {
+        item_counts[triangle] = left;
+    }
+    if (left == 0) {
+        visit_columns(visitor(triangle, v), b, b.cell_min.xy, b.cell_max.xy);
+    }
+}

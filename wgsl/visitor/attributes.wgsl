@@ -1,0 +1,70 @@
+// What is done with each voxel that a triangle overlaps: the triangle's reflectance, normal and emission are added to
+// the voxel's slot. Sums are fixed-point integers: the same bits whatever the order.
+
+import package::common::clipped_area::clipped_area;
+import package::common::frame::frame;
+import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
+import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
+import package::common::reflectance::total_reflectance;
+import package::common::voxels::{is_occupied, voxel_slot};
+
+@group(1) @binding(4) var<storage, read_write> attributes: array<atomic<u32>>;
+
+override ATTRIBUTE_STRIDE: u32 = 14;
+override HAS_COVERAGE: bool = false;
+
+struct Visitor {
+    corners: Corners,
+    // A triangle weighs as much as it can show of itself within one voxel, in voxel faces.
+    weight: f32,
+}
+
+fn visitor(triangle: u32, v: array<vec3f, 3>) -> Visitor {
+    let area = 0.5 * length(cross(v[1] - v[0], v[2] - v[0]));
+    return Visitor(corners_of(triangle, v), clamp(area, 1.0 / 1024.0, 1.0));
+}
+
+fn add(word: u32, value: f32) {
+    let units = u32(round(value * frame.attribute_scale));
+    if (units != 0) {
+        atomicAdd(&attributes[word], units);
+    }
+}
+
+fn add_vector(first: u32, value: vec3f) {
+    add(first, value.x);
+    add(first + 1, value.y);
+    add(first + 2, value.z);
+}
+
+fn visit(visitor: Visitor, cell: vec3u) {
+    // The two passes over the triangles may round differently at a voxel's edge: the bitmask decides.
+    if (!is_occupied(cell, 0)) {
+        return;
+    }
+    let f = fragment_at(visitor.corners, vec3f(cell) + 0.5);
+    let material = materials[visitor.corners.material];
+    let color = base_color(material, f.uv, f.lod);
+    if (HAS_ALPHA_MASK && material.alpha_cutoff > 0.0 && color.a < material.alpha_cutoff) {
+        return;
+    }
+    let weight = visitor.weight;
+    let metallic = roughness_metallic(material, f.uv, f.lod).y;
+    let first = voxel_slot(cell) * ATTRIBUTE_STRIDE;
+    add(first, weight);
+    add(first + 1, select(0.0, weight, material.double_sided != 0));
+    add_vector(first + 2, clamp(total_reflectance(color.rgb, metallic), vec3f(0.0), vec3f(1.0)) * weight);
+    // Positive and negative parts have words of their own.
+    let n = fragment_normal(visitor.corners, f, material) * weight;
+    let negative = select(vec3u(0), vec3u(3), n < vec3f(0.0));
+    add(first + 5 + negative.x, abs(n.x));
+    add(first + 6 + negative.y, abs(n.y));
+    add(first + 7 + negative.z, abs(n.z));
+    if (HAS_EMISSION) {
+        let relative = emission(material, f.uv, f.lod) / frame.emission_max;
+        add_vector(first + 11, clamp(relative, vec3f(0.0), vec3f(1.0)) * weight);
+    }
+    if (HAS_COVERAGE) {
+        add(first + ATTRIBUTE_STRIDE - 1, clipped_area(visitor.corners.v, cell));
+    }
+}
