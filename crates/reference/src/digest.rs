@@ -21,7 +21,8 @@ impl SceneDigest {
     /// Hashes a scene, at about a gigabyte a second.
     pub fn of(scene: &Scene) -> Self {
         // Taken apart by name, here and below, so that a new field can't be forgotten.
-        let Scene { name: _, materials, textures, meshes, instances, lights, sky, cameras: _ } = scene;
+        let Scene { name: _, materials, textures, meshes, instances, lights, sky, cameras: _, animation: _ } =
+            scene;
         let mut hash = Hash::default();
         hash.list(materials, Hash::material);
         hash.list(textures, Hash::texture);

@@ -2,6 +2,8 @@
 
 use glam::{DAffine3, DVec3, Vec2, Vec3, Vec4};
 
+use crate::Animation;
+
 /// A scene: what is lit, what lights it, and where it is seen from. Every index in it is in range
 /// and every number finite; the loaders refuse anything else.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +24,8 @@ pub struct Scene {
     pub sky: Vec3,
     /// Cameras, the first being the default. Never empty: a loader adds one that frames the scene.
     pub cameras: Vec<Camera>,
+    /// What follows a path; its instances are marked as moving.
+    pub animation: Animation,
 }
 
 /// A glTF metallic-roughness material. Textures multiply their factors.
@@ -191,7 +195,7 @@ pub struct Camera {
     pub vertical_fov: f32,
 }
 
-/// All instances flattened to world-space triangles, relative to `origin`. Mirrored instances have
+/// Instances flattened to world-space triangles, relative to `origin`. Mirrored instances have
 /// their triangles turned, so that counter-clockwise stays the front.
 #[derive(Clone, Debug, Default)]
 pub struct Geometry {

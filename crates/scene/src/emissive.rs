@@ -23,10 +23,10 @@ impl Scene {
             if material.emission_texture.is_some() || material.alpha_cutoff.is_some() {
                 return None;
             }
-            // A polygon takes two triangles at most.
-            let triangles = world_triangles(instance, mesh, origin, 2 * (limit - polygons.len()))?;
-            polygons.extend(merge(&triangles).into_iter().map(|corners| EmissivePolygon {
-                corners,
+            // A polygon takes two triangles at most. Merged as they are in the mesh, so that a pose changes no count.
+            let triangles = own_triangles(mesh, 2 * (limit - polygons.len()))?;
+            polygons.extend(merge(&triangles).iter().map(|corners| EmissivePolygon {
+                corners: placed(instance, corners, origin),
                 radiance: material.emission,
                 double_sided: material.double_sided,
             }));
@@ -38,26 +38,22 @@ impl Scene {
     }
 }
 
-/// Triangles with an area, counter-clockwise from the front; `None` if there are more than `limit`.
-fn world_triangles(instance: &Instance, mesh: &Mesh, origin: DVec3, limit: usize) -> Option<Vec<[Vec3; 3]>> {
-    let mirrored = instance.transform.matrix3.determinant() < 0.0;
-    let mut triangles = Vec::new();
-    for triangle in &mesh.triangles {
-        let mut corners = triangle.map(|i| {
-            let world = instance.transform.transform_point3(mesh.positions[i as usize].as_dvec3());
-            (world - origin).as_vec3()
-        });
-        if mirrored {
-            corners.swap(1, 2);
-        }
-        if unit_normal(&corners) != DVec3::ZERO {
-            triangles.push(corners);
-        }
-        if triangles.len() > limit {
-            return None;
-        }
+/// Triangles with an area, in the mesh's own space; `None` if there are more than `limit`.
+fn own_triangles(mesh: &Mesh, limit: usize) -> Option<Vec<[Vec3; 3]>> {
+    let corners = mesh.triangles.iter().map(|triangle| triangle.map(|i| mesh.positions[i as usize]));
+    let triangles: Vec<_> =
+        corners.filter(|corners| unit_normal(corners) != DVec3::ZERO).take(limit + 1).collect();
+    (triangles.len() <= limit).then_some(triangles)
+}
+
+/// In the world less `origin`, counter-clockwise from the front.
+fn placed(instance: &Instance, corners: &[Vec3], origin: DVec3) -> Vec<Vec3> {
+    let place = |p: &Vec3| (instance.transform.transform_point3(p.as_dvec3()) - origin).as_vec3();
+    let mut corners: Vec<Vec3> = corners.iter().map(place).collect();
+    if instance.transform.matrix3.determinant() < 0.0 {
+        corners.reverse();
     }
-    Some(triangles)
+    corners
 }
 
 fn unit_normal(corners: &[Vec3; 3]) -> DVec3 {

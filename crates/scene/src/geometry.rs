@@ -5,17 +5,29 @@ use glam::{DMat3, DVec3};
 use crate::{Geometry, Instance, Mesh, Scene, vertex};
 
 impl Geometry {
-    /// Flattens a scene's instances, in their order.
+    /// Flattens a scene's instances: in their order those that don't move, then those that may.
     ///
     /// Positions are transformed in `f64` and rounded once, after `origin` is taken off; an origin near the
     /// scene's centre keeps them sharp. Normals go by the cofactor matrix, which is the inverse transpose
     /// where there is one and still right where an instance is flattened by a zero scale.
     pub fn new(scene: &Scene, origin: DVec3) -> Geometry {
         let mut geometry = Geometry { origin, ..Geometry::default() };
-        for instance in &scene.instances {
-            geometry.push(instance, &scene.meshes[instance.mesh]);
-        }
+        geometry.push_all(scene, false);
+        geometry.push_all(scene, true);
         geometry
+    }
+
+    /// Flattens the instances that may move only: the end of what [`Geometry::new`] gives, with indices of its own.
+    pub fn moving(scene: &Scene, origin: DVec3) -> Geometry {
+        let mut geometry = Geometry { origin, ..Geometry::default() };
+        geometry.push_all(scene, true);
+        geometry
+    }
+
+    fn push_all(&mut self, scene: &Scene, moving: bool) {
+        for instance in scene.instances.iter().filter(|instance| instance.moving == moving) {
+            self.push(instance, &scene.meshes[instance.mesh]);
+        }
     }
 
     fn push(&mut self, instance: &Instance, mesh: &Mesh) {

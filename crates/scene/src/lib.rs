@@ -5,6 +5,7 @@
 //!
 //! [`Scene::load`] reads a file; [`ron`] and [`gltf`] say what may be in it.
 
+mod animation;
 mod camera;
 mod data;
 mod emissive;
@@ -17,6 +18,7 @@ pub mod ron;
 mod shape;
 mod vertex;
 
+pub use animation::{Animation, Key, Moved, Path};
 pub use data::*;
 pub use limit::MEMORY_LIMIT;
 pub use load::WORLD_LIMIT;

@@ -54,15 +54,29 @@ fn finish(scene: &mut Scene) -> Result<(), Fault> {
         budget.take(mesh.triangles.len() as u64, TRIANGLE_BYTES)?;
         // Entries that large could cancel each other's overflow into a NaN.
         let wild = instance.transform.to_cols_array().iter().any(|entry| entry.abs() > 1e100);
-        let inside = |corner: DVec3| corner.abs().max_element() <= WORLD_LIMIT;
-        if wild || instance.bounds(mesh).is_some_and(|(low, high)| !(inside(low) && inside(high))) {
+        if wild || instance.bounds(mesh).is_some_and(beyond) {
             return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", instance.name)));
         }
     }
-    if scene.cameras.is_empty() {
-        scene.cameras.push(framing_camera(scene.bounds()));
+    for moved in &scene.animation.instances {
+        let instance = &scene.instances[moved.index];
+        let wild =
+            moved.path.keys.iter().any(|key| key.scale.max(key.translation).abs().max_element() > 1e100);
+        if wild || moved.reach(instance, &scene.meshes[instance.mesh]).is_some_and(beyond) {
+            let name = &instance.name;
+            return Err(Fault::new(format!("the path of `{name}` reaches beyond {WORLD_LIMIT:e} units")));
+        }
     }
+    if scene.cameras.is_empty() {
+        scene.cameras.push(framing_camera(scene.reach()));
+    }
+    scene.set_time(0.0);
     Ok(())
+}
+
+fn beyond((low, high): (DVec3, DVec3)) -> bool {
+    let inside = |corner: DVec3| corner.abs().max_element() <= WORLD_LIMIT;
+    !(inside(low) && inside(high))
 }
 
 /// A three-quarter view of the whole scene from the front, right and above, 45° high.

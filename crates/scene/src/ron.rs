@@ -28,7 +28,8 @@
 //! | `rotate_deg` | (0, 0, 0) | then turned about the world's x, then y, then z axis |
 //! | `translate` | (0, 0, 0) | then moved |
 //! | `matrix` | | instead of these three: three rows `[(a, b, c, x), (d, e, f, y), (g, h, i, z)]` |
-//! | `moving` | false | may move from frame to frame |
+//! | `moving` | false | may move from frame to frame; so does what has a `path` |
+//! | `path` | | keys in time, see below |
 //! | `inside_out` | false | shapes only: the front is the inside |
 //!
 //! Shapes are kept in `f32`: put one far from the origin by `translate`, which is `f64`.
@@ -51,19 +52,33 @@
 //! | `Point` | `position`, needed; `intensity`, needed, W·sr⁻¹; `radius` 0 |
 //! | `Spot` | as `Point`, and `direction`, needed; `inner_deg` 0 and `outer_deg` 45, half-angles: full light within, none beyond |
 //!
-//! All may have a `name`.
+//! All may have a `name` and a `path`.
 //!
 //! # `sky`
 //! Radiance from everywhere outside, W·m⁻²·sr⁻¹; 0 if it is not given.
 //!
 //! # `cameras`
 //! `eye`, `target` and `fov_deg` (vertical, full angle) are needed; `up` is (0, 1, 0); `name` is `camera N`.
-//! Without a camera the scene gets one that frames it.
+//! It may have a `path`. Without a camera the scene gets one that frames it.
+//!
+//! # `path`
+//! A list of keys. Each is a pose that is applied to the object, light or camera as it stands without a path: scaled,
+//! turned and moved in the world, about the world's origin. So a pendulum hangs below the origin, and its keys turn it
+//! and move it to its nail. Between two keys position and scale change linearly, and the rotation turns evenly (slerp);
+//! before the first key and after the last one all rests.
+//!
+//! | field | default | meaning |
+//! |---|---|---|
+//! | `time` | needed | seconds; above that of the key before |
+//! | `scale` | 1 | objects only: a number or `(x, y, z)`, nowhere 0 and of one sign |
+//! | `rotate_deg` | (0, 0, 0) | about the world's x, then y, then z axis; less than 180° from the key before |
+//! | `translate` | (0, 0, 0) | world units |
 
 mod camera;
 mod light;
 mod material;
 mod object;
+mod path;
 mod shape;
 mod value;
 
@@ -73,7 +88,7 @@ use std::sync::Arc;
 use voxlume_fault::ron::{Document, Fields, Node};
 use voxlume_fault::{Faults, Source};
 
-use crate::Scene;
+use crate::{Moved, Scene};
 
 /// Reads a file.
 pub(crate) fn load(path: &Path) -> Result<Scene, Faults> {
@@ -95,8 +110,20 @@ fn read(source: &Arc<Source>, folder: &Path) -> Result<Scene, Faults> {
     if let Some(objects) = fields.node("objects") {
         faults.gather(object::read(objects, folder, &mut scene));
     }
-    scene.lights = list(&mut fields, "lights", light::read, &mut faults);
-    scene.cameras = list(&mut fields, "cameras", camera::read, &mut faults);
+    for (index, (light, path)) in
+        list(&mut fields, "lights", light::read, &mut faults).into_iter().enumerate()
+    {
+        let rest = light.kind;
+        scene.animation.lights.extend(path.map(|path| Moved { index, rest, path }));
+        scene.lights.push(light);
+    }
+    for (index, (camera, path)) in
+        list(&mut fields, "cameras", camera::read, &mut faults).into_iter().enumerate()
+    {
+        let rest = camera.clone();
+        scene.animation.cameras.extend(path.map(|path| Moved { index, rest, path }));
+        scene.cameras.push(camera);
+    }
     scene.sky = value::colour(&mut fields, "sky", Some(0.0), &mut faults).unwrap_or_default();
     fields.finish(&mut faults);
     faults.in_order().into_result(scene)

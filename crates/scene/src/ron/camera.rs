@@ -4,11 +4,11 @@ use glam::DVec3;
 use voxlume_fault::Faults;
 use voxlume_fault::ron::Node;
 
-use super::value;
-use crate::Camera;
+use super::{path, value};
+use crate::{Camera, Path};
 
 /// `None` only with a fault.
-pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<Camera>, Faults> {
+pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Camera, Option<Path>)>, Faults> {
     let mut faults = Faults::default();
     let mut fields = value::unnamed(node)?;
     let name = fields.or("name", format!("camera {index}"), &mut faults);
@@ -17,12 +17,13 @@ pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<Camera>, Fault
     let up = value::vector(&mut fields, "up", Some(DVec3::Y), &mut faults);
     let angle = (|v: f32| v > 0.0 && v < 180.0, "above 0 and below 180");
     let fov = value::checked(&mut fields, "fov_deg", None, angle, &mut faults);
+    let path = path::read(&mut fields, path::Scales::No, &mut faults);
     fields.finish(&mut faults);
     let camera = || {
         let camera = Camera::look_at(name, eye?, target?, up?, fov?.to_radians());
         let none = || node.fault("no view: `eye` is at `target`, or `up` points along the view", "");
         faults.gather(camera.ok_or_else(none))
     };
-    let camera = camera();
+    let camera = camera().map(|camera| (camera, path));
     faults.into_result(camera)
 }

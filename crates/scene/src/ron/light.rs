@@ -4,11 +4,11 @@ use glam::Vec3;
 use voxlume_fault::Faults;
 use voxlume_fault::ron::{Fields, Node};
 
-use super::value;
-use crate::{Light, LightKind};
+use super::{path, value};
+use crate::{Light, LightKind, Path};
 
 /// `None` only with a fault.
-pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<Light>, Faults> {
+pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Light, Option<Path>)>, Faults> {
     let kind = value::kind(node, "light", &["Directional", "Point", "Spot"])?;
     let mut faults = Faults::default();
     let mut fields = Fields::of(node)?;
@@ -18,8 +18,9 @@ pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<Light>, Faults
         "Point" => point(&mut fields, &mut faults),
         _ => spot(&mut fields, &mut faults),
     };
+    let path = path::read(&mut fields, path::Scales::No, &mut faults);
     fields.finish(&mut faults);
-    faults.into_result(light.map(|(kind, intensity)| Light { name, kind, intensity }))
+    faults.into_result(light.map(|(kind, intensity)| (Light { name, kind, intensity }, path)))
 }
 
 fn directional(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3)> {

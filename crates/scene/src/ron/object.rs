@@ -7,8 +7,8 @@ use glam::{DAffine3, DMat3, DQuat, DVec3, EulerRot};
 use voxlume_fault::ron::{Fields, FromRon, Node};
 use voxlume_fault::{Fault, Faults};
 
-use super::{shape, value};
-use crate::{Instance, Mesh, Scene, gltf};
+use super::{path, shape, value};
+use crate::{Instance, Mesh, Moved, Scene, gltf};
 
 /// Reads the objects into a scene that has its materials.
 pub(super) fn read(node: Node<'_>, folder: &Path, scene: &mut Scene) -> Result<(), Faults> {
@@ -37,6 +37,8 @@ impl Objects<'_> {
         let name = fields.or("name", format!("object {index}"), &mut faults);
         let moving = fields.or("moving", false, &mut faults);
         let transform = transform(&mut fields, &mut faults);
+        let path = path::read(&mut fields, path::Scales::Yes, &mut faults);
+        let moving = moving || path.is_some();
         let material = fields.node("material").and_then(|node| faults.gather(self.material(node)));
         let given = fields.node("material").is_some();
         let instances = match (fields.node("shape"), fields.node("gltf")) {
@@ -65,9 +67,12 @@ impl Objects<'_> {
         };
         fields.finish(&mut faults);
         let placed = instances.into_iter().flatten().zip(std::iter::repeat(transform));
-        self.scene.instances.extend(placed.filter_map(|(instance, transform)| {
-            Some(Instance { transform: transform? * instance.transform, moving, ..instance })
-        }));
+        for (instance, transform) in placed {
+            let Some(transform) = transform.map(|transform| transform * instance.transform) else { continue };
+            let moved = |path| Moved { index: self.scene.instances.len(), rest: transform, path };
+            self.scene.animation.instances.extend(path.clone().map(moved));
+            self.scene.instances.push(Instance { transform, moving, ..instance });
+        }
         faults.into_result(())
     }
 
@@ -143,13 +148,11 @@ impl Objects<'_> {
 
 fn transform(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<DAffine3> {
     let parts = ["scale", "rotate_deg", "translate"].map(|name| fields.node(name));
-    let scale = fields.or("scale", Scale(DVec3::ONE), faults).0;
+    let scale = scale(fields, faults);
     let rotate = value::vector(fields, "rotate_deg", Some(DVec3::ZERO), faults);
     let translate = value::vector(fields, "translate", Some(DVec3::ZERO), faults);
     let Some(matrix) = fields.node("matrix") else {
-        let angles = rotate?.map(f64::to_radians);
-        let rotation = DQuat::from_euler(EulerRot::ZYX, angles.z, angles.y, angles.x);
-        return Some(DAffine3::from_scale_rotation_translation(scale, rotation, translate?));
+        return Some(DAffine3::from_scale_rotation_translation(scale, rotation(rotate?), translate?));
     };
     if parts.iter().any(Option::is_some) {
         faults.push(matrix.fault("`matrix` goes without `scale`, `rotate_deg` and `translate`", ""));
@@ -157,6 +160,17 @@ fn transform(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<DAffine3> {
     let rows: [[f64; 4]; 3] = faults.gather(matrix.get())?;
     let column = |i: usize| DVec3::new(rows[0][i], rows[1][i], rows[2][i]);
     Some(DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) })
+}
+
+/// `scale`, or 1.
+pub(super) fn scale(fields: &mut Fields<'_>, faults: &mut Faults) -> DVec3 {
+    fields.or("scale", Scale(DVec3::ONE), faults).0
+}
+
+/// `rotate_deg`: about the world's x, then y, then z axis.
+pub(super) fn rotation(degrees: DVec3) -> DQuat {
+    let angles = degrees.map(f64::to_radians);
+    DQuat::from_euler(EulerRot::ZYX, angles.z, angles.y, angles.x)
 }
 
 /// One number for all axes, or three.
