@@ -3,7 +3,7 @@
 
 use glam::{DVec3, UVec3};
 use voxlume::scene::Geometry;
-use voxlume::{Grid, Renderer, Scene};
+use voxlume::{Grid, Renderer, ResourceKind, Scene};
 
 /// The buffers of `voxels`, read back.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,13 +48,26 @@ impl Substrate {
         let levels = words("levels");
         let levels =
             levels.chunks_exact(8).map(|w| Run { groups: [w[0], w[1], w[2]], first: w[3], count: w[4] });
+        // Buffers may be larger than what they hold.
+        let (voxels, listed) = renderer.counts();
+        let held = |name: &str, count: u64| {
+            let plan = renderer.plan();
+            let index = plan.resource(name).unwrap_or_else(|| panic!("the plan has no `{name}`"));
+            let (ResourceKind::PerVoxel(bytes) | ResourceKind::PerCell(bytes)) = plan.resources[index].kind
+            else {
+                panic!("`{name}` holds something else");
+            };
+            let mut words = words(name);
+            words.truncate((bytes / 4 * count) as usize);
+            words
+        };
         Substrate {
             grid: renderer.plan().grid.clone(),
             occupancy: words("occupancy"),
             ranks: words("ranks"),
-            cells: words("cells"),
+            cells: held("cells", listed),
             levels: levels.collect(),
-            attributes: words("attributes"),
+            attributes: held("attributes", voxels),
         }
     }
 

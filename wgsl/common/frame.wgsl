@@ -10,7 +10,8 @@ struct Frame {
     forward: vec3f,
     light_count: u32,
     right: vec3f,
-    triangle_count: u32,
+    // Emission that counts as 1.0, W·m⁻²·sr⁻¹.
+    emission_max: f32,
     up: vec3f,
     level_count: u32,
     grid_min: vec3f,
@@ -22,9 +23,7 @@ struct Frame {
     // Fixed-point units per 1.0 of an attribute; chosen so that no sum can overflow.
     attribute_scale: f32,
     screen: vec2u,
-    // Emission that counts as 1.0, W·m⁻²·sr⁻¹.
-    emission_max: f32,
-    padding: f32,
+    padding: vec2u,
     // First word of each level in the occupancy bitmask, four levels a vector.
     level_words: array<vec4u, 4>,
 }

@@ -18,6 +18,12 @@ fn brick_count(level: u32) -> vec3u {
     return (level_size(level) + vec3u(3, 3, 1)) / vec3u(4, 4, 2);
 }
 
+// The brick of a level's word number `index`.
+fn brick_at(index: u32, level: u32) -> vec3u {
+    let bricks = brick_count(level);
+    return vec3u(index % bricks.x, index / bricks.x % bricks.y, index / (bricks.x * bricks.y));
+}
+
 fn level_first_word(level: u32) -> u32 {
     return frame.level_words[level / 4][level % 4];
 }

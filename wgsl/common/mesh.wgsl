@@ -13,6 +13,16 @@ struct Vertex {
 @group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(2) var<storage, read> indices: array<u32>;
 
+// Triangles that a pass is about: all, those that never move, or those that may, which come last.
+struct TriangleRange {
+    first: u32,
+    count: u32,
+}
+
+@group(3) @binding(14) var<uniform> triangle_range: TriangleRange;
+
+// Triangles count from the range's first.
 fn triangle_indices(triangle: u32) -> vec3u {
-    return vec3u(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2]);
+    let i = 3 * (triangle_range.first + triangle);
+    return vec3u(indices[i], indices[i + 1], indices[i + 2]);
 }

@@ -13,6 +13,12 @@ fn unpack_normal(bits: u32) -> vec3f {
     return octahedral_decode(unpack2x16snorm(bits));
 }
 
+fn pack_normal(n: vec3f) -> u32 {
+    let e = n / max(abs(n.x) + abs(n.y) + abs(n.z), 1e-30);
+    let folded = (1.0 - abs(e.yx)) * select(vec2f(-1.0), vec2f(1.0), e.xy >= vec2f(0.0));
+    return pack2x16snorm(select(folded, e.xy, e.z >= 0.0));
+}
+
 // The tangent's lowest bit of y is the bitangent's sign.
 fn unpack_tangent(bits: u32) -> vec4f {
     let direction = octahedral_decode(unpack2x16snorm(bits & 0xfffeffff));

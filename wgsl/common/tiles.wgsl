@@ -1,8 +1,8 @@
 // Work that a triangle's own thread leaves to others. `tile_ranks` holds the number of items before each triangle, and
 // the total at its end: an item is a tile of the triangle's columns in `balanced`, the whole triangle in `hybrid`.
 
-import package::common::frame::{frame, to_voxel};
-import package::common::mesh::{vertices, triangle_indices};
+import package::common::frame::to_voxel;
+import package::common::mesh::{vertices, triangle_indices, triangle_range};
 import package::common::triangle_box::TriangleBox;
 
 @group(1) @binding(9) var<storage, read> tile_ranks: array<u32>;
@@ -25,7 +25,7 @@ fn tile_grid(b: TriangleBox) -> vec2u {
 // The triangle that an item belongs to: the last whose rank is not above it.
 fn item_triangle(item: u32) -> u32 {
     var low = 0u;
-    var high = frame.triangle_count;
+    var high = triangle_range.count;
     while (high - low > 1) {
         let middle = (low + high) / 2;
         if (tile_ranks[middle] <= item) {

@@ -13,10 +13,14 @@ fn is_occupied(cell: vec3u, level: u32) -> bool {
     return ((occupancy[cell_word(cell, level)] >> cell_bit(cell)) & 1) != 0;
 }
 
-// Only meaningful where the cell of level 0 is occupied.
-fn voxel_slot(cell: vec3u) -> u32 {
-    let word = cell_word(cell, 0);
+// The cell's place in `cells`. Only meaningful where it is occupied.
+fn cell_rank(cell: vec3u, level: u32) -> u32 {
+    let word = cell_word(cell, level);
     return ranks[word] + countOneBits(occupancy[word] & ((1u << cell_bit(cell)) - 1));
+}
+
+fn voxel_slot(cell: vec3u) -> u32 {
+    return cell_rank(cell, 0);
 }
 
 // The cell that invocation `index` of a pass over a level works on; false past the level's end.

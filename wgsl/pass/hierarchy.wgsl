@@ -1,7 +1,7 @@
 // One level of the bitmask from the level below: a parent is occupied where any of its children is
 // (VGI §4.1). One thread a word.
 
-import package::common::grid::{brick_count, level_first_word};
+import package::common::grid::{brick_at, brick_count, level_first_word};
 import package::common::step::step_params;
 
 @group(1) @binding(0) var<storage, read_write> occupancy: array<u32>;
@@ -20,7 +20,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (id.x >= bricks.x * bricks.y * bricks.z) {
         return;
     }
-    let brick = vec3u(id.x % bricks.x, id.x / bricks.x % bricks.y, id.x / (bricks.x * bricks.y));
+    let brick = brick_at(id.x, step_params.level);
     let below = brick_count(step_params.level - 1);
     let first = level_first_word(step_params.level - 1);
     var word = 0u;

@@ -1,7 +1,7 @@
 // The list of occupied cells, all levels, each at its rank (RAU §4.1.4 and §5.4): no cell twice, no counter.
 
 import package::common::frame::frame;
-import package::common::grid::{brick_count, level_first_word, bit_offset, pack_cell};
+import package::common::grid::{brick_at, level_first_word, bit_offset, pack_cell};
 import package::common::dispatch::dispatch_index;
 
 @group(1) @binding(0) var<storage, read> occupancy: array<u32>;
@@ -22,9 +22,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     while (level + 1 < frame.level_count && level_first_word(level + 1) <= word) {
         level++;
     }
-    let index = word - level_first_word(level);
-    let bricks = brick_count(level);
-    let brick = vec3u(index % bricks.x, index / bricks.x % bricks.y, index / (bricks.x * bricks.y));
+    let brick = brick_at(word - level_first_word(level), level);
     var rank = ranks[word];
     while (bits != 0) {
         let bit = firstTrailingBit(bits);

@@ -2,7 +2,7 @@
 
 import package::common::column_walk::visit_columns;
 import package::common::dispatch::dispatch_index;
-import package::common::frame::frame;
+import package::common::mesh::triangle_range;
 import package::common::tiles::{TILE, item_triangle, tile_grid, tile_ranks, triangle_voxel};
 import package::common::triangle_box::triangle_box;
 import package::visitor::visitor;
@@ -10,7 +10,7 @@ import package::visitor::visitor;
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let item = dispatch_index(id, 64);
-    if (item >= tile_ranks[frame.triangle_count]) {
+    if (item >= tile_ranks[triangle_range.count]) {
         return;
     }
     let triangle = item_triangle(item);

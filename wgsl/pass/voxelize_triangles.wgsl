@@ -2,7 +2,7 @@
 
 import package::common::column_walk::visit_columns;
 import package::common::dispatch::dispatch_index;
-import package::common::frame::frame;
+import package::common::mesh::triangle_range;
 import package::common::tiles::{triangle_voxel, tile_grid};
 import package::common::triangle_box::{TriangleBox, triangle_box};
 import package::visitor::visitor;
@@ -32,9 +32,9 @@ fn items(b: TriangleBox) -> u32 {
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let triangle = dispatch_index(id, 64);
-    if (triangle >= frame.triangle_count) {
+    if (triangle >= triangle_range.count) {
         // One past the last holds the total.
-        if (COUNTS && triangle == frame.triangle_count) {
+        if (COUNTS && triangle == triangle_range.count) {
             item_counts[triangle] = 0;
         }
         return;

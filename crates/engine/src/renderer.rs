@@ -21,8 +21,11 @@ pub struct Renderer<'g> {
     objects: Vec<Object>,
     /// By pass and step; `None` for what is no program.
     ready: Vec<Vec<Option<Ready>>>,
+    programs: Programs,
     queries: Option<Queries>,
     counts: (u64, u64),
+    /// What the buffers that depend on these counts were made for.
+    capacity: (u64, u64),
     /// Whether passes that run once have run.
     warm: bool,
 }
@@ -67,7 +70,7 @@ impl<'g> Renderer<'g> {
                 _ => create(gpu, &plan, index, None)?,
             });
         }
-        let mut programs = Programs::new(gpu, &plan)?;
+        let programs = Programs::new(gpu, &plan)?;
         let queries = gpu.has_reliable_timestamps().then(|| Queries::new(gpu, plan.passes.len() as u32));
         let mut renderer = Renderer {
             gpu,
@@ -76,16 +79,18 @@ impl<'g> Renderer<'g> {
             scene: uploaded,
             objects,
             ready: Vec::new(),
+            programs,
             queries,
             counts: (0, 0),
+            capacity: (0, 0),
             warm: false,
         };
         let camera = scene.cameras.first().cloned();
         if let Some(camera) = &camera {
             renderer.write_frame(scene, camera);
         }
-        renderer.count(&mut programs)?;
-        renderer.prepare(&mut programs)?;
+        renderer.count()?;
+        renderer.prepare()?;
         Ok(renderer)
     }
 
@@ -104,71 +109,96 @@ impl<'g> Renderer<'g> {
         self.gpu.queue.write_buffer(&self.scene.frame, 0, bytemuck::bytes_of(&frame));
     }
 
-    /// Runs voxelization up to the count of cells, and makes the buffers that depend on it.
-    fn count(&mut self, programs: &mut Programs) -> Result<(), Error> {
+    /// Runs voxelization up to the counts of cells, and makes the buffers that depend on them.
+    fn count(&mut self) -> Result<(), Error> {
         let counted =
             |pass: &voxlume_graph::Pass| pass.steps.iter().position(|step| matches!(step, Step::Counted));
-        let Some((pass, end)) =
-            self.plan.passes.iter().enumerate().find_map(|(i, pass)| Some((i, counted(pass)?)))
-        else {
-            return Ok(());
-        };
-        let steps = &self.plan.passes[pass].steps[..end];
-        let label = &self.plan.passes[pass].name;
-        let ready =
-            steps.iter().map(|step| self.ready(programs, label, step)).collect::<Result<Vec<_>, _>>()?;
+        let passes = self.plan.passes.iter().filter_map(|pass| Some((pass, counted(pass)?)));
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.encode(&mut encoder, steps, &ready, None);
-        let Some(levels) = self.plan.resource("levels").map(|index| &self.objects[index]) else {
-            return Ok(());
-        };
-        let Object::Buffer(levels) = levels else { return Ok(()) };
-        let read = self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("counts"),
-            size: levels.size(),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        encoder.copy_buffer_to_buffer(levels, 0, &read, 0, levels.size());
+        for (pass, end) in passes {
+            let steps = &pass.steps[..end];
+            let ready = steps
+                .iter()
+                .map(|step| ready(self.gpu, &self.plan, &self.objects, &mut self.programs, &pass.name, step));
+            let ready = ready.collect::<Result<Vec<_>, _>>()?;
+            self.encode(&mut encoder, steps, &ready, None);
+        }
         self.gpu.guarded("counting voxels", || self.gpu.queue.submit([encoder.finish()]))?;
-        let bytes = self.gpu.read(&read)?;
+        self.counts = self.read_counts()?;
+        self.capacity = self.roomy();
+        for index in 0..self.objects.len() {
+            if matches!(self.plan.resources[index].kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_))
+            {
+                self.objects[index] = create(self.gpu, &self.plan, index, Some(self.capacity))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Occupied voxels, and occupied cells of all levels, as voxelization last left them.
+    fn read_counts(&self) -> Result<(u64, u64), Error> {
+        let Some(bytes) = self.buffer("levels")? else { return Ok((0, 0)) };
         // A `LevelRun` is eight words: three of workgroups, the first cell, the count.
         let words: Vec<u32> =
             bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         let count = |level: usize| u64::from(words[level * 8 + 4]);
-        self.counts = (count(0), (0..words.len() / 8).map(count).sum());
+        Ok((count(0), (0..words.len() / 8).map(count).sum()))
+    }
+
+    /// Whether voxels come and go from frame to frame.
+    fn voxels_move(&self) -> bool {
+        let counted =
+            |pass: &voxlume_graph::Pass| pass.steps.iter().any(|step| matches!(step, Step::Counted));
+        self.plan.passes.iter().any(|pass| !pass.once && counted(pass))
+    }
+
+    /// The counts, with a quarter more where they change from frame to frame.
+    fn roomy(&self) -> (u64, u64) {
+        let more = |count: u64| if self.voxels_move() { count + count / 4 + 256 } else { count };
+        (more(self.counts.0), more(self.counts.1))
+    }
+
+    /// Where the last frame had more voxels than its buffers hold, makes all resources anew, larger: what the frame left in
+    /// them is of no use.
+    fn outgrown(&mut self) -> Result<bool, Error> {
+        if !self.voxels_move() {
+            return Ok(false);
+        }
+        self.counts = self.read_counts()?;
+        if self.counts.0 <= self.capacity.0 && self.counts.1 <= self.capacity.1 {
+            return Ok(false);
+        }
+        self.capacity = self.roomy();
         for index in 0..self.objects.len() {
-            if matches!(self.plan.resources[index].kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_))
-            {
-                self.objects[index] = create(self.gpu, &self.plan, index, Some(self.counts))?;
+            if self.plan.resources[index].kind != ResourceKind::Scene {
+                self.objects[index] = create(self.gpu, &self.plan, index, Some(self.capacity))?;
             }
         }
-        Ok(())
+        self.prepare()?;
+        self.warm = false;
+        Ok(true)
     }
 
-    fn ready(&self, programs: &mut Programs, label: &str, step: &Step) -> Result<Option<Ready>, Error> {
-        Ok(match step {
-            Step::Clear(_) | Step::Counted => None,
-            Step::Compute { program, .. } => {
-                Some(programs.compute(self.gpu, &self.plan, &self.objects, label, program)?)
-            }
-            Step::Raster { program, .. } => {
-                Some(programs.raster(self.gpu, &self.plan, &self.objects, label, program)?)
-            }
-            Step::Draw { program, colors, reversed, .. } => {
-                Some(programs.draw(self.gpu, &self.plan, &self.objects, label, program, colors, *reversed)?)
-            }
-        })
-    }
-
-    fn prepare(&mut self, programs: &mut Programs) -> Result<(), Error> {
+    fn prepare(&mut self) -> Result<(), Error> {
         let mut all = Vec::new();
         for pass in &self.plan.passes {
-            let steps = pass.steps.iter().map(|step| self.ready(programs, &pass.name, step));
+            let steps = pass
+                .steps
+                .iter()
+                .map(|step| ready(self.gpu, &self.plan, &self.objects, &mut self.programs, &pass.name, step));
             all.push(steps.collect::<Result<Vec<_>, _>>()?);
         }
         self.ready = all;
         Ok(())
+    }
+
+    /// Takes over where the scene's moving instances and its lights are now; nothing else of it may have changed.
+    /// Frames see it from the next one on.
+    ///
+    /// # Errors
+    /// The scene has another number of lights or triangles than it had.
+    pub fn update(&mut self, scene: &Scene) -> Result<(), Error> {
+        self.scene.update(self.gpu, &self.plan, &self.facts, scene)
     }
 
     /// Renders a frame and waits for it. The times are those of the passes that ran.
@@ -177,6 +207,15 @@ impl<'g> Renderer<'g> {
     /// The device refuses something or is lost.
     pub fn render(&mut self, scene: &Scene, camera: &Camera, passes: Passes) -> Result<Vec<PassTime>, Error> {
         self.write_frame(scene, camera);
+        loop {
+            let times = self.frame(passes)?;
+            if !self.outgrown()? {
+                return Ok(times);
+            }
+        }
+    }
+
+    fn frame(&mut self, passes: Passes) -> Result<Vec<PassTime>, Error> {
         let chosen: Vec<usize> = (0..self.plan.passes.len())
             .filter(|index| passes == Passes::All || !self.warm || !self.plan.passes[*index].once)
             .collect();
@@ -222,7 +261,8 @@ impl<'g> Renderer<'g> {
     ) {
         // Runs of dispatches share a compute pass; the first and the last pass of all carry the timestamps.
         let runs = runs(steps);
-        let timed = |run: &std::ops::Range<usize>| !matches!(steps[run.start], Step::Clear(_));
+        let timed =
+            |run: &std::ops::Range<usize>| !matches!(steps[run.start], Step::Clear(_) | Step::Copy { .. });
         let (first, last) = (runs.iter().position(timed), runs.iter().rposition(timed));
         for (number, run) in runs.iter().enumerate() {
             let ends = (Some(number) == first, Some(number) == last);
@@ -230,6 +270,13 @@ impl<'g> Renderer<'g> {
                 Step::Clear(resource) => {
                     if let Object::Buffer(buffer) = &self.objects[*resource] {
                         encoder.clear_buffer(buffer, 0, None);
+                    }
+                }
+                Step::Copy { from, to } => {
+                    if let (Object::Buffer(from), Object::Buffer(to)) =
+                        (&self.objects[*from], &self.objects[*to])
+                    {
+                        encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
                     }
                 }
                 Step::Counted => {}
@@ -430,6 +477,25 @@ impl<'g> Renderer<'g> {
         let resources = self.plan.resources.iter().enumerate();
         resources.filter_map(|(index, resource)| Some((resource.name.clone(), size(index)?))).collect()
     }
+}
+
+/// A step's program, bound; `None` for what is no program.
+fn ready(
+    gpu: &Gpu,
+    plan: &Plan,
+    objects: &[Object],
+    programs: &mut Programs,
+    label: &str,
+    step: &Step,
+) -> Result<Option<Ready>, Error> {
+    Ok(match step {
+        Step::Clear(_) | Step::Copy { .. } | Step::Counted => None,
+        Step::Compute { program, .. } => Some(programs.compute(gpu, plan, objects, label, program)?),
+        Step::Raster { program, .. } => Some(programs.raster(gpu, plan, objects, label, program)?),
+        Step::Draw { program, colors, reversed, .. } => {
+            Some(programs.draw(gpu, plan, objects, label, program, colors, *reversed)?)
+        }
+    })
 }
 
 fn used(groups: &BindGroups) -> impl Iterator<Item = (u32, &wgpu::BindGroup)> {

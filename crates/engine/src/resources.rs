@@ -25,6 +25,11 @@ pub(crate) struct SceneObjects {
     pub index_count: u32,
     pub light_count: u32,
     pub frame: wgpu::Buffer,
+    vertices: wgpu::Buffer,
+    lights: wgpu::Buffer,
+    shadow_matrices: wgpu::Buffer,
+    /// Vertices and triangles of instances that don't move.
+    still: (usize, usize),
 }
 
 impl SceneObjects {
@@ -36,18 +41,27 @@ impl SceneObjects {
         gpu.guarded("the scene's buffers", || {
             let storage = |label, bytes: &[u8], usage| buffer_with(gpu, label, bytes, usage);
             let read = wgpu::BufferUsages::STORAGE;
+            // What an update writes.
+            let kept = read | wgpu::BufferUsages::COPY_DST;
             let indices: &[u8] = bytemuck::cast_slice(&geometry.triangles);
-            let index_buffer = storage("indices", indices, read | wgpu::BufferUsages::INDEX);
+            let index_buffer = storage("indices", indices, kept | wgpu::BufferUsages::INDEX);
             let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("frame"),
                 size: size_of::<crate::upload::frame::Frame>() as u64,
                 usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
                 mapped_at_creation: false,
             });
-            let vertices = mesh::vertices(&geometry);
+            let vertices = storage("vertices", bytemuck::cast_slice(&mesh::vertices(&geometry)), kept);
+            let light_buffer = storage("lights", bytemuck::cast_slice(&lights.lights), kept);
+            let shadow_matrices = storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), kept);
+            let moving = Geometry::moving(scene, plan.grid.centre);
+            let still = (
+                geometry.positions.len() - moving.positions.len(),
+                geometry.triangles.len() - moving.triangles.len(),
+            );
             let named = vec![
                 ("frame", Object::Buffer(frame.clone())),
-                ("vertices", Object::Buffer(storage("vertices", bytemuck::cast_slice(&vertices), read))),
+                ("vertices", Object::Buffer(vertices.clone())),
                 ("indices", Object::Buffer(index_buffer.clone())),
                 (
                     "materials",
@@ -57,11 +71,8 @@ impl SceneObjects {
                         read,
                     )),
                 ),
-                ("lights", Object::Buffer(storage("lights", bytemuck::cast_slice(&lights.lights), read))),
-                (
-                    "shadow_matrices",
-                    Object::Buffer(storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), read)),
-                ),
+                ("lights", Object::Buffer(light_buffer.clone())),
+                ("shadow_matrices", Object::Buffer(shadow_matrices.clone())),
                 ("color_textures", Object::Texture(texture_array(gpu, "color_textures", &colors, true))),
                 ("data_textures", Object::Texture(texture_array(gpu, "data_textures", &data, false))),
                 ("material_sampler", Object::Sampler(sampler(gpu, wgpu::AddressMode::Repeat, None))),
@@ -81,8 +92,37 @@ impl SceneObjects {
                 index_count: geometry.triangles.len() as u32 * 3,
                 light_count: lights.count,
                 frame,
+                vertices,
+                lights: light_buffer,
+                shadow_matrices,
+                still,
             }
         })
+    }
+
+    /// Writes where the scene's moving instances and its lights are now.
+    pub fn update(&self, gpu: &Gpu, plan: &Plan, facts: &SceneFacts, scene: &Scene) -> Result<(), Error> {
+        let lights = light::lights(scene, plan, facts);
+        let geometry = Geometry::moving(scene, plan.grid.centre);
+        let (first_vertex, first_triangle) = self.still;
+        let triangles = geometry.triangles.iter().map(|t| t.map(|i| i + first_vertex as u32));
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let known = (self.light_count, self.index_count as usize / 3);
+        let (lit, shown) = (lights.count, first_triangle + triangles.len());
+        if (lit, shown) != known {
+            let message =
+                format!("{lit} lights and {shown} triangles, where there were {} and {}", known.0, known.1);
+            return Err(Error::Refused { what: "the scene's update".into(), message });
+        }
+        let write =
+            |buffer, offset: usize, bytes: &[u8]| gpu.queue.write_buffer(buffer, offset as u64, bytes);
+        let vertices = mesh::vertices(&geometry);
+        write(&self.vertices, first_vertex * size_of::<mesh::Vertex>(), bytemuck::cast_slice(&vertices));
+        // A mirrored instance's triangles are turned.
+        write(&self.indices, first_triangle * size_of::<[u32; 3]>(), bytemuck::cast_slice(&triangles));
+        write(&self.lights, 0, bytemuck::cast_slice(&lights.lights));
+        write(&self.shadow_matrices, 0, bytemuck::cast_slice(&lights.matrices));
+        Ok(())
     }
 }
 

@@ -51,7 +51,7 @@ fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
             Step::Compute { groups: Groups::Fixed(_), .. } => compute += 1,
             Step::Compute { groups: Groups::Indirect { .. }, .. } => indirect += 1,
             Step::Draw { .. } | Step::Raster { .. } => draws += 1,
-            Step::Clear(_) | Step::Counted => {}
+            Step::Clear(_) | Step::Copy { .. } | Step::Counted => {}
         }
     }
     let parts = [(compute, "dispatch"), (indirect, "indirect dispatch"), (draws, "draw")];

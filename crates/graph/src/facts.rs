@@ -39,8 +39,8 @@ pub struct SceneFacts {
     pub glossy: bool,
     /// Whether anything outside the scene shines.
     pub sky: bool,
-    /// Whether any instance moves.
-    pub moving: bool,
+    /// Triangles of instances that may move; they come after all others.
+    pub moving_triangles: u32,
 }
 
 /// Largest side of a texture layer, texels.
@@ -63,7 +63,7 @@ impl SceneFacts {
         let polygons =
             scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
         SceneFacts {
-            bounds: scene.bounds(),
+            bounds: scene.reach(),
             triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
             vertices: meshes().map(|mesh| mesh.positions.len() as u32).sum(),
             materials: scene.materials.len() as u32,
@@ -87,7 +87,12 @@ impl SceneFacts {
                     || material.metallic_roughness_texture.is_some()
             }),
             sky: scene.sky.max_element() > 0.0,
-            moving: scene.instances.iter().any(|instance| instance.moving),
+            moving_triangles: scene
+                .instances
+                .iter()
+                .filter(|instance| instance.moving)
+                .map(|instance| scene.meshes[instance.mesh].triangles.len() as u32)
+                .sum(),
         }
     }
 

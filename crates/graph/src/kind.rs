@@ -180,12 +180,45 @@ pub const KINDS: &[Kind] = &[
         words: &[],
         expand: expand::screen::screen,
     },
+    Kind {
+        name: "voxel_view",
+        sentence: "shows the voxels of one level as cubes, to debug a pipeline",
+        reads: &[VOXELS, optional("volume", "for the channels `opacity`, `radiance` and `lit`")],
+        writes: &[port("voxel_view", "one channel of the voxels, as the camera sees them")],
+        updates: &[],
+        words: &[
+            ParamWords {
+                name: "channel",
+                sentence: "what of a voxel is shown",
+                values: Values::Words(&[
+                    "albedo",
+                    "normal",
+                    "occupancy",
+                    "emission",
+                    "opacity",
+                    "radiance",
+                    "lit",
+                ]),
+            },
+            ParamWords {
+                name: "level",
+                sentence: "which level, 0 being the finest",
+                values: Values::Whole(0, 9),
+            },
+        ],
+        expand: expand::voxel_view::voxel_view,
+    },
 ];
 
 /// Images that `surface` stands for.
 pub const SURFACE_IMAGES: [&str; 5] = ["albedo", "normal", "geometry", "depth", "emission"];
 
 impl Kind {
+    /// Whether it makes images of the screen's size that can be an output; effects do, too.
+    pub fn is_screen(&self) -> bool {
+        matches!(self.name, "composite" | "voxel_view")
+    }
+
     /// The kind called `name`.
     pub fn get(name: &str) -> Option<&'static Kind> {
         KINDS.iter().find(|kind| kind.name == name)

@@ -98,6 +98,12 @@ impl<'a> Params<'a> {
         }
     }
 
+    /// Refuses a value that was read, for what else is known.
+    pub fn refuse(&self, name: &str, label: &str, faults: &mut Faults) {
+        let given = self.entry.params.iter().find(|param| param.name == name);
+        faults.extend(given.map(|param| self.wrong(param, label)));
+    }
+
     /// The bytes of the shader's `Params`.
     pub fn uniform(&mut self, shader: &Shader, layout: &StructLayout, faults: &mut Faults) -> Vec<u8> {
         let mut bytes = vec![0; layout.size as usize];

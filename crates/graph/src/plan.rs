@@ -123,6 +123,13 @@ pub struct Pass {
 pub enum Step {
     /// Fills a buffer with zeroes.
     Clear(usize),
+    /// Copies a buffer to the beginning of another that is at least as large.
+    Copy {
+        /// From where.
+        from: usize,
+        /// To where.
+        to: usize,
+    },
     /// A compute shader.
     Compute {
         /// The program.

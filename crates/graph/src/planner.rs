@@ -7,6 +7,7 @@ use voxlume_fault::{Fault, Faults, Source, suggest};
 use voxlume_format::{Encoding, Formats};
 use voxlume_shader::Library;
 
+use crate::expand::voxel_view::VOLUME_CHANNELS;
 use crate::expand::{self, Context, Expansion};
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
@@ -111,15 +112,22 @@ pub fn plan(
         let kind = kind_of(entry);
         let mut expansion = Expansion::new(&mut context, entry, kind);
         (kind.expand)(&mut expansion);
-        let steps = expansion.finish();
+        let (once, steps) = expansion.finish();
         let words = |list: &[Located<String>]| list.iter().map(|name| name.value.clone()).collect::<Vec<_>>();
-        passes.push(Pass {
-            name: entry.name.clone(),
-            once: kind.name == "voxelize" && !facts.moving,
-            reads: words(&entry.reads).into_iter().filter(|name| context.available.contains(name)).collect(),
-            writes: [words(&entry.writes), words(&entry.updates)].concat(),
+        let reads: Vec<String> =
+            words(&entry.reads).into_iter().filter(|name| context.available.contains(name)).collect();
+        let writes = [words(&entry.writes), words(&entry.updates)].concat();
+        let parts = [
+            (format!("{} static", entry.name), true, once),
+            (entry.name.clone(), kind.name == "voxelize" && facts.moving_triangles == 0, steps),
+        ];
+        passes.extend(parts.map(|(name, once, steps)| Pass {
+            name,
+            once,
+            reads: reads.clone(),
+            writes: writes.clone(),
             steps,
-        });
+        }));
     }
     passes.retain(|pass| !pass.steps.is_empty());
     explain_channels(&mut context);
@@ -293,7 +301,7 @@ fn makes(pass: &PassEntry, image: &str) -> bool {
 }
 
 fn is_screen(pass: &PassEntry) -> bool {
-    Kind::get(&pass.run.value).is_none_or(|kind| kind.name == "composite")
+    Kind::get(&pass.run.value).is_none_or(Kind::is_screen)
 }
 
 /// Every image that can be an output.
@@ -357,7 +365,7 @@ fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> 
     context.surface_images.extend(SURFACE_IMAGES.iter().filter(|image| **image == pipeline.output.value));
     for (index, pass) in pipeline.passes.iter().enumerate().filter(|(index, _)| !live.contains(index)) {
         let why = skipped.iter().find(|(skip, _)| *skip == index).map(|(_, why)| why.clone());
-        let unread = pipeline.passes.iter().any(|other| {
+        let unread = pipeline.passes.iter().filter(|other| other.run.value == "composite").any(|other| {
             unread_inputs(other).iter().any(|input| pass.writes.iter().any(|name| name.value == *input))
         });
         let why = why.unwrap_or_else(|| {
@@ -369,16 +377,30 @@ fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> 
             bytes: saved(pass, context),
         });
     }
-    for image in pipeline.passes.iter().flat_map(unread_inputs) {
-        context.available.remove(*image);
+    // What is made for another pass only is no input of this one.
+    let reads = |pass: &PassEntry, input: &str| {
+        pass.reads.iter().any(|name| name.value == input) && !unread_inputs(pass).contains(&input)
+    };
+    for input in live.iter().flat_map(|index| unread_inputs(&pipeline.passes[*index])) {
+        if !live.iter().any(|index| reads(&pipeline.passes[*index], input)) {
+            context.available.remove(*input);
+        }
     }
     live
 }
 
-/// Inputs that a composite names and, by its parameters, never looks at.
+/// Inputs that a pass names and, by its parameters, never looks at.
 fn unread_inputs(pass: &PassEntry) -> &'static [&'static str] {
-    let off = pass.params.iter().any(|param| param.name == "ao_weight" && param.value == Value::Number(0.0));
-    if pass.run.value == "composite" && off { &["ao"] } else { &[] }
+    let given = |name: &str, is: &dyn Fn(&Value) -> bool| {
+        pass.params.iter().any(|param| param.name == name && is(&param.value))
+    };
+    let volume =
+        |value: &Value| matches!(value, Value::Word(word) if VOLUME_CHANNELS.contains(&word.as_str()));
+    match pass.run.value.as_str() {
+        "composite" if given("ao_weight", &|value| *value == Value::Number(0.0)) => &["ao"],
+        "voxel_view" if !given("channel", &volume) => &["volume"],
+        _ => &[],
+    }
 }
 
 fn casts_by_ray(pipeline: &Pipeline) -> bool {
@@ -417,6 +439,10 @@ fn explain_channels(context: &mut Context<'_>) {
     note(facts.point == 0, "point lights' branch", "the scene has none", 0);
     note(facts.spot == 0, "spot lights' branch", "the scene has none", 0);
     note(!context.area_lights, "area lights' branch", "no emissive polygon is lit as one", 0);
-    note(!facts.moving, "voxelizing every frame", "nothing moves", 0);
+    let still = facts.triangles - facts.moving_triangles;
+    match facts.moving_triangles {
+        0 => note(true, "voxelizing every frame", "nothing moves", 0),
+        _ => note(still > 0, &format!("voxelizing {still} triangles every frame"), "they never move", 0),
+    }
     context.left_out.extend(left_out);
 }

@@ -55,6 +55,7 @@ fn order_follows_from_reads_and_writes() {
     assert_eq!(
         names(&expected),
         [
+            "voxelize static",
             "voxelize",
             "shadow_maps",
             "light",
@@ -103,7 +104,8 @@ fn everything_is_planned_where_everything_is_needed() {
             is_in_order(&lit_by_polygons);
             let pipeline = gi();
             let mut all: Vec<&str> = pipeline.passes.iter().map(|pass| pass.name.as_str()).collect();
-            all.retain(|name| *name != "emission");
+            all.retain(|name| !["emission", "voxel_view"].contains(name));
+            all.push("voxelize static");
             all.sort_unstable();
             let mut planned = names(&lit_by_polygons);
             planned.sort_unstable();
@@ -112,6 +114,7 @@ fn everything_is_planned_where_everything_is_needed() {
             for facts in [emission, rich()] {
                 let gathered = gi_for(&facts, &request);
                 is_in_order(&gathered);
+                // All but the view of the voxels, and voxelization in two parts.
                 assert_eq!(gathered.passes.len(), pipeline.passes.len(), "{}", format.name());
             }
         }
@@ -169,11 +172,28 @@ fn parameters_of_zero_leave_passes_out() {
 
 #[test]
 fn what_nothing_moves_runs_once() {
-    let once = |moving| {
-        let plan = gi_for(&SceneFacts { moving, ..rich() }, &request());
-        plan.passes.iter().find(|pass| pass.name == "voxelize").unwrap().once
+    let voxelized = |moving_triangles| {
+        let plan = gi_for(&SceneFacts { moving_triangles, ..rich() }, &request());
+        let passes = plan.passes.iter().filter(|pass| pass.name.starts_with("voxelize"));
+        let resources = ["static_occupancy", "static_ranks", "static_attributes", "occupancy_before"];
+        let own = resources.map(|name| plan.resource(name).is_some());
+        let vacates = plan.passes.iter().find(|pass| pass.name == "filter").unwrap().steps.len();
+        let left_out = plan.left_out.into_iter().find(|item| item.what.starts_with("voxelizing"));
+        let passes: Vec<_> = passes.map(|pass| (pass.name.clone(), pass.once)).collect();
+        (passes, own, vacates, left_out.map(|item| format!("{}: {}", item.what, item.why)))
     };
-    assert_eq!((once(false), once(true)), (true, false));
+    let whole = |once| vec![("voxelize".to_owned(), once)];
+    let why = |text: &str| Some(text.to_owned());
+    let (passes, own, steps, left_out) = voxelized(0);
+    assert_eq!(
+        (passes, own, left_out),
+        (whole(true), [false; 4], why("voxelizing every frame: nothing moves"))
+    );
+    // Everything moves: nothing is kept, but what was left has to be emptied.
+    assert_eq!(voxelized(1000), (whole(false), [false, false, false, true], 2 * steps, None));
+    let parts = vec![("voxelize static".to_owned(), true), ("voxelize".to_owned(), false)];
+    let still = why("voxelizing 900 triangles every frame: they never move");
+    assert_eq!(voxelized(100), (parts, [true; 4], 2 * steps, still));
 }
 
 #[test]
@@ -237,6 +257,7 @@ fn the_cornell_box_explained() {
       pass `bounce`                          `bounces` is 0
       pass `ambient_occlusion`               `ao_weight` is 0 (saves 2.00 MiB)
       pass `specular`                        no material is glossy (saves 2.00 MiB)
+      pass `voxel_view`                      nobody reads what it makes (saves 2.00 MiB)
       emission in voxels (12 bytes each)     what emits is lit as area lights
       alpha tests                            no material has an alpha mask
       texture look-ups                       no material has a texture

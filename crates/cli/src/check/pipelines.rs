@@ -1,7 +1,7 @@
 //! Pipelines planned in every way that matters, without a scene.
 
 use glam::DVec3;
-use voxlume::{Faults, Formats, KINDS, Library, Pipeline, Request, SceneFacts, Value, plan};
+use voxlume::{Faults, Formats, KINDS, Kind, Library, Pipeline, Request, SceneFacts, Value, plan};
 
 /// Plans a pipeline with every format for scenes that need all of it. A fault may come several times.
 pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
@@ -32,9 +32,9 @@ pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Fault
     faults
 }
 
-/// Whether a pass makes images: an effect or the composite.
+/// Whether a pass makes images: an effect, the composite, a view of the voxels.
 fn is_screen(run: &str) -> bool {
-    run == "composite" || !KINDS.iter().any(|kind| kind.name == run)
+    KINDS.iter().find(|kind| kind.name == run).is_none_or(Kind::is_screen)
 }
 
 /// Bounces that the file turns off are checked too.
@@ -64,6 +64,6 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         masked: true,
         glossy: true,
         sky: true,
-        moving: true,
+        moving_triangles: 100,
     }
 }

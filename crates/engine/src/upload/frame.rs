@@ -15,7 +15,7 @@ pub(crate) struct Frame {
     pub(super) forward: Vec3,
     pub(super) light_count: u32,
     pub(super) right: Vec3,
-    pub(super) triangle_count: u32,
+    pub(super) emission_max: f32,
     pub(super) up: Vec3,
     pub(super) level_count: u32,
     pub(super) grid_min: Vec3,
@@ -25,8 +25,7 @@ pub(crate) struct Frame {
     pub(super) sky: Vec3,
     pub(super) attribute_scale: f32,
     pub(super) screen: [u32; 2],
-    pub(super) emission_max: f32,
-    pub(super) padding: f32,
+    pub(super) padding: [u32; 2],
     pub(super) level_words: [u32; 16],
 }
 
@@ -56,7 +55,7 @@ impl Frame {
             forward: camera.forward,
             light_count,
             right: right * half_height * aspect,
-            triangle_count: plan.triangles,
+            emission_max: emission.max(f32::MIN_POSITIVE),
             up: up * half_height,
             level_count: grid.levels(),
             grid_min: grid.min(),
@@ -66,8 +65,7 @@ impl Frame {
             sky: scene.sky,
             attribute_scale: fixed_point_scale(plan.triangles),
             screen: plan.screen,
-            emission_max: emission.max(f32::MIN_POSITIVE),
-            padding: 0.0,
+            padding: [0; 2],
             level_words,
         }
     }

@@ -52,8 +52,8 @@ fn difference(rust: &Layout, wgsl: &StructLayout) -> Option<String> {
 
 fn frame() -> Layout {
     layout!(Frame:
-        view_projection, eye, near, forward, light_count, right, triangle_count, up, level_count, grid_min, voxel_size,
-        grid_size, texture_size, sky, attribute_scale, screen, emission_max, padding, level_words)
+        view_projection, eye, near, forward, light_count, right, emission_max, up, level_count, grid_min, voxel_size,
+        grid_size, texture_size, sky, attribute_scale, screen, padding, level_words)
 }
 
 fn vertex() -> Layout {

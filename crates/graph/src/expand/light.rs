@@ -2,7 +2,7 @@
 
 use voxlume_format::Volume;
 
-use super::{Binds, Expansion, step_params};
+use super::{Binds, Expansion, groups_for, step_params};
 use crate::plan::{ResourceKind, Target};
 
 /// Bytes of a voxel's radiance: four floats.
@@ -96,6 +96,11 @@ fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
     ));
     let named: Vec<_> = targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
     e.compute_cells("pass/store", &Binds { targets: &named, ..Binds::default() }, 0);
+    let moving = e.context.facts.moving_triangles > 0;
+    if moving {
+        let groups = groups_for(e.context.grid.level_words(0), 64);
+        e.compute("pass/vacate", "main", &Binds { targets: &named, ..Binds::default() }, groups);
+    }
 
     let grid = e.context.grid.size;
     for level in 1..e.context.grid.levels() {
@@ -114,6 +119,11 @@ fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
         let mut named: Vec<_> =
             targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
         named.push(step_params(level));
-        e.compute_cells("pass/mipmap", &Binds { targets: &named, ..Binds::default() }, level);
+        let binds = Binds { targets: &named, ..Binds::default() };
+        e.compute_cells("pass/mipmap", &binds, level);
+        if moving {
+            let groups = groups_for(e.context.grid.level_words(level), 64);
+            e.compute("pass/vacate_mipmap", "main", &binds, groups);
+        }
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod gbuffer;
 pub(crate) mod light;
 pub(crate) mod screen;
 pub(crate) mod shadow_maps;
+pub(crate) mod voxel_view;
 pub(crate) mod voxelize;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,8 +36,20 @@ const SCENE: [&str; 11] = [
 ];
 
 /// Variables that make up `voxels`.
-const VOXELS: [&str; 8] =
-    ["occupancy", "ranks", "cells", "levels", "attributes", "tile_ranks", "item_groups", "scan_runs"];
+const VOXELS: [&str; 12] = [
+    "occupancy",
+    "ranks",
+    "cells",
+    "levels",
+    "attributes",
+    "tile_ranks",
+    "item_groups",
+    "scan_runs",
+    "static_occupancy",
+    "static_ranks",
+    "static_attributes",
+    "occupancy_before",
+];
 
 /// What planning builds up.
 pub(crate) struct Context<'a> {
@@ -179,6 +192,8 @@ pub(crate) struct Expansion<'c, 'a> {
     pub kind: &'static Kind,
     pub params: Params<'a>,
     pub steps: Vec<Step>,
+    /// Steps before these, which have to be done only once.
+    pub once: Vec<Step>,
     used: BTreeSet<String>,
     uniform: Option<Target>,
 }
@@ -195,7 +210,16 @@ pub(crate) struct Binds<'b> {
 impl<'c, 'a> Expansion<'c, 'a> {
     pub fn new(context: &'c mut Context<'a>, entry: &'a PassEntry, kind: &'static Kind) -> Expansion<'c, 'a> {
         let params = Params::of(context.pipeline, entry);
-        Expansion { context, entry, kind, params, steps: Vec::new(), used: BTreeSet::new(), uniform: None }
+        Expansion {
+            context,
+            entry,
+            kind,
+            params,
+            steps: Vec::new(),
+            once: Vec::new(),
+            used: BTreeSet::new(),
+            uniform: None,
+        }
     }
 
     /// Links a shader and binds what one entry point of it uses.
@@ -317,7 +341,9 @@ impl<'c, 'a> Expansion<'c, 'a> {
     }
 
     /// Reports what the entry names and the pass never used, and parameters that nobody read.
-    pub fn finish(self) -> Vec<Step> {
+    ///
+    /// Gives the steps that have to be done only once, and the others.
+    pub fn finish(self) -> (Vec<Step>, Vec<Step>) {
         for name in &self.entry.reads {
             if !self.used.contains(&name.value) && self.context.faults.is_empty() {
                 let message = format!("pass `{}` never uses `{}`", self.entry.name, name.value);
@@ -328,7 +354,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
         if !self.steps.is_empty() || self.kind.name == "bounce" {
             self.params.finish(&mut self.context.faults);
         }
-        self.steps
+        (self.once, self.steps)
     }
 
     /// The `Params` of the pass's shader, read once however often it is bound.

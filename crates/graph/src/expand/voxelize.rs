@@ -1,5 +1,7 @@
 //! Voxelization: occupancy, ranks, the list of cells, attributes.
 
+use std::ops::Range;
+
 use super::{Binds, Expansion, groups_for, step_params};
 use crate::plan::{Groups, ResourceKind, Step, Target, Vertices};
 
@@ -37,56 +39,114 @@ fn method(e: &mut Expansion<'_, '_>) -> Option<Method> {
     })
 }
 
+/// Triangles, and how and into what they are voxelized.
+struct Part {
+    method: Method,
+    triangles: Range<u32>,
+    /// What stands for `occupancy`, `ranks` and `attributes`, where it isn't the scene's own.
+    targets: Vec<(&'static str, Target)>,
+}
+
+/// A buffer of so many words.
+fn words(count: u32) -> ResourceKind {
+    ResourceKind::Buffer(u64::from(count) * 4)
+}
+
 pub(crate) fn voxelize(e: &mut Expansion<'_, '_>) {
     let coverage = e.params.word_or(e.kind, "coverage", "binary", &mut e.context.faults);
     e.context.coverage = coverage == Some("area");
     let Some(method) = method(e) else { return };
     let triangles = e.context.facts.triangles;
-    let (offsets, words) = e.context.grid.word_offsets();
+    let moving = e.context.facts.moving_triangles;
+    let still = triangles - moving;
+    let divided = moving > 0 && still > 0;
+    let (offsets, all) = e.context.grid.word_offsets();
     let stride = u64::from(e.context.attribute_stride());
-    let runs = u64::from((words + 1).max(triangles + 1).div_ceil(64));
-    let buffer = |words: u64| ResourceKind::Buffer(words * 4);
-    let occupancy = e.context.resource("occupancy", buffer(words.into()));
-    let ranks = e.context.resource("ranks", buffer(u64::from(words) + 1));
+    let occupancy = e.context.resource("occupancy", words(all));
+    let ranks = e.context.resource("ranks", words(all + 1));
     let level_bytes = e.context.grid.levels() as u64 * LEVEL_RUN_BYTES;
     e.context.resource("levels", ResourceKind::Buffer(level_bytes));
-    e.context.resource("scan_runs", buffer(runs));
+    e.context.resource("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
     e.context.resource("cells", ResourceKind::PerCell(4));
     let attributes = e.context.resource("attributes", ResourceKind::PerVoxel(stride * 4));
 
-    e.steps.push(Step::Clear(occupancy));
-    visit(e, method, "visitor/occupancy", true);
+    if divided {
+        static_voxels(e, method, stride);
+    }
+    if moving > 0 {
+        // Tells the volume which cells were left.
+        let before = e.context.resource("occupancy_before", words(all));
+        e.steps.push(Step::Copy { from: occupancy, to: before });
+    }
+    match e.context.known("static_occupancy") {
+        Some(from) => e.steps.push(Step::Copy { from, to: occupancy }),
+        None => e.steps.push(Step::Clear(occupancy)),
+    }
+    let first = if divided { still } else { 0 };
+    let part = Part { method, triangles: first..triangles, targets: Vec::new() };
+    visit(e, &part, "visitor/occupancy", true);
     for level in 1..offsets.len() as u32 {
         let binds = Binds { targets: &[step_params(level)], ..Binds::default() };
         let groups = groups_for(e.context.grid.level_words(level), 64);
         e.compute("pass/hierarchy", "main", &binds, groups);
     }
-    e.compute("pass/rank_count", "main", &Binds::default(), groups_for(words + 1, 64));
-    scan(e, ranks, words + 1);
+    rank(e, &[], ranks, all);
     e.compute("pass/level_runs", "main", &Binds::default(), [1, 1, 1]);
     e.steps.push(Step::Counted);
-    e.compute("pass/list", "main", &Binds::default(), groups_for(words, 64));
+    e.compute("pass/list", "main", &Binds::default(), groups_for(all, 64));
+    if divided {
+        e.compute_cells("pass/static_sums", &Binds::default(), 0);
+    } else {
+        e.steps.push(Step::Clear(attributes));
+    }
+    visit(e, &part, "visitor/attributes", false);
+}
+
+/// Voxelizes what never moves by itself, once (DVS §1.2). Sums are integers: adding what moves to these gives the same
+/// bits as adding everything anew.
+fn static_voxels(e: &mut Expansion<'_, '_>, method: Method, stride: u64) {
+    let finest = e.context.grid.level_words(0);
+    let occupancy = e.context.resource("static_occupancy", words(finest));
+    let ranks = e.context.resource("static_ranks", words(finest + 1));
+    // At most as many voxels as there are in all.
+    let attributes = e.context.resource("static_attributes", ResourceKind::PerVoxel(stride * 4));
+    let targets = [("occupancy", occupancy), ("ranks", ranks), ("attributes", attributes)];
+    let targets = targets.map(|(name, resource)| (name, Target::Resource(resource))).to_vec();
+    let still = e.context.facts.triangles - e.context.facts.moving_triangles;
+    let part = Part { method, triangles: 0..still, targets };
+    e.steps.push(Step::Clear(occupancy));
+    visit(e, &part, "visitor/occupancy", true);
+    rank(e, &part.targets, ranks, finest);
+    e.steps.push(Step::Counted);
     e.steps.push(Step::Clear(attributes));
-    visit(e, method, "visitor/attributes", false);
+    visit(e, &part, "visitor/attributes", false);
+    e.once = std::mem::take(&mut e.steps);
+}
+
+/// The number of bits set before each of so many words.
+fn rank(e: &mut Expansion<'_, '_>, targets: &[(&str, Target)], ranks: usize, words: u32) {
+    e.compute("pass/rank_count", "main", &Binds { targets, ..Binds::default() }, groups_for(words + 1, 64));
+    scan(e, ranks, words + 1);
 }
 
 /// Shows every overlapped voxel to a visitor; `first` counts what triangles leave to others.
-fn visit(e: &mut Expansion<'_, '_>, method: Method, visitor: &str, first: bool) {
-    let triangles = e.context.facts.triangles;
+fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &str, first: bool) {
+    let (method, all) = (part.method, e.context.facts.triangles);
+    let triangles = part.triangles.end - part.triangles.start;
     let mount = Some(("visitor", visitor));
     let (defer, cutoff) = match method {
-        Method::Fragment => return draw(e, visitor, Vertices::Fixed(3 * triangles), false),
+        Method::Fragment => return draw(e, part, visitor, Vertices::Fixed(3 * triangles), false),
         Method::Triangle => (0.0, CUTOFF),
         Method::Balanced => (1.0, CUTOFF),
         Method::Hybrid(cutoff) => (2.0, cutoff),
     };
-    let tile = ("TILE", f64::from(tile_side(triangles, e.context.grid.size)));
+    let tile = ("TILE", f64::from(tile_side(all, e.context.grid.size)));
     let mut constants =
         vec![("DEFER", defer), ("CUTOFF", cutoff), ("COUNTS", f64::from(u8::from(first))), tile];
-    let mut targets = Vec::new();
+    let bound = part.bound();
+    let mut targets = bound.clone();
     if method != Method::Triangle {
-        let ranks = ResourceKind::Buffer((u64::from(triangles) + 1) * 4);
-        let ranks = e.context.resource("tile_ranks", ranks);
+        let ranks = e.context.resource("tile_ranks", words(all + 1));
         targets.push(("item_counts", Target::Resource(ranks)));
     } else {
         targets.push(("item_counts", Target::Nothing));
@@ -102,25 +162,39 @@ fn visit(e: &mut Expansion<'_, '_>, method: Method, visitor: &str, first: bool) 
         let ranks = e.context.resource("tile_ranks", ResourceKind::Buffer(0));
         scan(e, ranks, triangles + 1);
         constants.push(("DRAWN", f64::from(u8::from(drawn))));
-        let binds = Binds { constants: &constants, ..Binds::default() };
+        let binds = Binds { targets: &bound, constants: &constants, ..Binds::default() };
         e.compute("pass/item_dispatch", "main", &binds, [1, 1, 1]);
     }
     if drawn {
-        return draw(e, visitor, Vertices::Indirect { resource: groups, offset: 0 }, true);
+        return draw(e, part, visitor, Vertices::Indirect { resource: groups, offset: 0 }, true);
     }
-    let binds = Binds { constants: &constants, mount, ..Binds::default() };
+    let binds = Binds { targets: &bound, constants: &constants, mount };
     let groups = Groups::Indirect { resource: groups, offset: 0 };
     e.compute_groups("pass/voxelize_tiles", "main", &binds, groups);
 }
 
-fn draw(e: &mut Expansion<'_, '_>, visitor: &str, vertices: Vertices, deferred: bool) {
+fn draw(e: &mut Expansion<'_, '_>, part: &Part, visitor: &str, vertices: Vertices, deferred: bool) {
     let side = e.context.grid.size.into_iter().max().unwrap_or(1);
     let target = e.context.resource("columns", ResourceKind::Raster { side });
     let constants = [("DEFERRED", f64::from(u8::from(deferred)))];
-    let binds = Binds { constants: &constants, mount: Some(("visitor", visitor)), ..Binds::default() };
+    let (targets, mount) = (part.bound(), Some(("visitor", visitor)));
+    let binds = Binds { targets: &targets, constants: &constants, mount };
     if let Some(program) = e.program_of("pass/voxelize_fragments", &["vertex_main", "fragment_main"], &binds)
     {
         e.steps.push(Step::Raster { program, target, vertices });
+    }
+}
+
+impl Part {
+    /// Its targets, and its `TriangleRange` in wgsl/common/mesh.wgsl.
+    fn bound(&self) -> Vec<(&'static str, Target)> {
+        let Range { start, end } = self.triangles;
+        let mut bytes = vec![0; 16];
+        bytes[..4].copy_from_slice(&start.to_le_bytes());
+        bytes[4..8].copy_from_slice(&(end - start).to_le_bytes());
+        let mut targets = self.targets.clone();
+        targets.push(("triangle_range", Target::Uniform(bytes)));
+        targets
     }
 }
 

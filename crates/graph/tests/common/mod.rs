@@ -28,7 +28,7 @@ pub fn rich() -> SceneFacts {
         masked: true,
         glossy: true,
         sky: true,
-        moving: true,
+        moving_triangles: 100,
     }
 }
 
