@@ -32,10 +32,9 @@ pub struct PlanArgs {
     #[arg(long, value_name = "WxH", default_value = "512x512", value_parser = size)]
     pub size: [u32; 2],
 
-    /// Image to make, instead of the pipeline's: final, diffuse, specular, ao, shadow, albedo, normal, geometry,
-    /// emission, depth, or one that a pass of your own writes
-    #[arg(long, value_name = "IMAGE")]
-    pub output: Option<String>,
+    /// Second of the scene's animation to show
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
+    pub time: f64,
 
     /// Sets a parameter of a pass: a number, a word or numbers with commas; may be repeated
     #[arg(long, value_name = "PASS.PARAM=VALUE", value_parser = setting)]
@@ -43,23 +42,58 @@ pub struct PlanArgs {
 }
 
 impl PlanArgs {
+    /// Reads the scene, as it is at the time asked for.
+    pub fn scene(&self) -> Result<Scene, Faults> {
+        let mut scene = Scene::load(&self.scene)?;
+        scene.set_time(self.time);
+        Ok(scene)
+    }
+
     /// Reads the pipeline.
     pub fn pipeline(&self) -> Result<Pipeline, Faults> {
         pipeline::load(&self.pipeline)
     }
 
-    /// Plans the pipeline for the scene.
-    pub fn plan(&self, registry: &Registry, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
-        let request = Request {
+    /// What they ask of a plan.
+    pub fn request(&self) -> Request {
+        Request {
             format: self.format.clone(),
             encoding: self.encoding.clone(),
             resolution: self.resolution,
-            output: self.output.clone(),
+            output: None,
             set: self.set.clone(),
             screen: self.size,
-        };
-        voxlume::plan(pipeline, &SceneFacts::of(scene), &registry.formats, &registry.library, &request)
+        }
     }
+}
+
+/// As [`PlanArgs`], and which image is made.
+#[derive(clap::Args)]
+pub struct ImageArgs {
+    #[command(flatten)]
+    pub plan: PlanArgs,
+
+    /// Image to make, instead of the pipeline's: final, diffuse, specular, ao, shadow, albedo, normal, geometry,
+    /// emission, depth, voxel_view, or one that a pass of your own writes
+    #[arg(long, value_name = "IMAGE")]
+    pub output: Option<String>,
+}
+
+impl ImageArgs {
+    /// Plans the pipeline for the scene.
+    pub fn plan(&self, registry: &Registry, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
+        plan(registry, pipeline, scene, &Request { output: self.output.clone(), ..self.plan.request() })
+    }
+}
+
+/// Plans a pipeline for a scene.
+pub fn plan(
+    registry: &Registry,
+    pipeline: &Pipeline,
+    scene: &Scene,
+    request: &Request,
+) -> Result<Plan, Faults> {
+    voxlume::plan(pipeline, &SceneFacts::of(scene), &registry.formats, &registry.library, request)
 }
 
 /// Width and height of an image.
@@ -67,6 +101,11 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     let sides =
         text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
     sides.ok_or_else(|| "two whole numbers with an `x` between them, such as 640x360".into())
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let time = text.parse().ok().filter(|time: &f64| time.is_finite());
+    time.ok_or_else(|| "a finite number".into())
 }
 
 fn setting(text: &str) -> Result<(String, String, Value), String> {

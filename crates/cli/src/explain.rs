@@ -1,9 +1,7 @@
 //! `voxlume explain`.
 
-use voxlume::Scene;
-
 use crate::Registry;
-use crate::args::PlanArgs;
+use crate::args::ImageArgs;
 use crate::failure::Failure;
 
 /// Print the plan: passes in order, resources and their bytes, and what was left out and why
@@ -16,13 +14,13 @@ use crate::failure::Failure;
   voxlume explain scenes/cornell.ron --output ao")]
 pub struct Args {
     #[command(flatten)]
-    plan: PlanArgs,
+    image: ImageArgs,
 }
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    let pipeline = args.plan.pipeline()?;
-    let scene = Scene::load(&args.plan.scene)?;
-    let plan = args.plan.plan(registry, &pipeline, &scene)?;
+    let pipeline = args.image.plan.pipeline()?;
+    let scene = args.image.plan.scene()?;
+    let plan = args.image.plan(registry, &pipeline, &scene)?;
     crate::print(&voxlume::explain(&plan))
 }

@@ -1,4 +1,4 @@
-//! The program `voxlume`: renders scenes, compares them with a path tracer, explains and checks pipelines, lists devices.
+//! The program `voxlume`: renders scenes, shows their voxels, compares them with a path tracer, explains and checks pipelines, lists devices.
 //!
 //! [`main_with`] runs it with storage formats of your own: they appear in every command beside the built-in ones.
 
@@ -21,6 +21,7 @@ mod statistics;
 mod table;
 mod timing;
 mod tone;
+mod voxelize;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -50,6 +51,7 @@ struct Program {
 const EXAMPLES: &str = "Examples:
   voxlume render scenes/cornell.ron -o cornell.png
   voxlume render scenes/cornell.ron --format sh2 --resolution 64 --repeat 20 -o sh2.png --json sh2.json
+  voxlume voxelize scenes/cornell.ron --resolution 64 -o voxels.png -o voxels.ply
   voxlume compare scenes/cornell.ron --resolutions 32,64 --out cornell
   voxlume explain scenes/cornell.ron
   voxlume check pipelines/gi.ron my_effect.wgsl
@@ -59,6 +61,7 @@ Exit codes: 0 done, 1 the work failed, 2 bad input or usage. RUST_LOG=info shows
 #[derive(Subcommand)]
 enum Command {
     Render(render::Args),
+    Voxelize(voxelize::Args),
     Compare(compare::Args),
     Reference(reference::Args),
     Explain(explain::Args),
@@ -112,6 +115,7 @@ fn run(program: &Program, registry: &Registry) -> Result<(), Failure> {
     };
     match &program.command {
         Command::Render(args) => render::run(args, registry),
+        Command::Voxelize(args) => voxelize::run(args, registry),
         Command::Compare(args) => compare::run(args, registry),
         Command::Reference(args) => reference::run(args, registry),
         Command::Explain(args) => explain::run(args, registry),

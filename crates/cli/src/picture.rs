@@ -68,15 +68,14 @@ fn failed(error: impl std::fmt::Display) -> Failure {
 
 /// A picture for the eye, three bytes a pixel, as in a PNG.
 pub fn shown(picture: &Picture, name: &str, scale: f32) -> Vec<u8> {
-    picture.pixels.iter().flat_map(|pixel| visible(name, *pixel, scale)).collect()
+    picture.pixels.iter().flat_map(|[r, g, b, _]| visible(name, [*r, *g, *b], scale)).collect()
 }
 
-/// A pixel for the eye. Light is tone-mapped, albedo only encoded; what is no colour is shown as it is.
-fn visible(name: &str, [r, g, b, _]: [f32; 4], scale: f32) -> [u8; 3] {
-    let color = [r, g, b];
+/// A colour for the eye. Light is tone-mapped, albedo only encoded; what is no colour is shown as it is.
+pub fn visible(name: &str, color: [f32; 3], scale: f32) -> [u8; 3] {
     let shown = match name {
         "normal" | "geometry" => color.map(|c| c * 0.5 + 0.5),
-        "ao" | "shadow" | "depth" => color,
+        "ao" | "shadow" | "depth" | "occupancy" | "opacity" => color,
         "albedo" => color.map(|c| srgb(c.clamp(0.0, 1.0))),
         _ => reinhard(color.map(|c| c * scale)).map(srgb),
     };
@@ -93,14 +92,11 @@ mod tests {
 
     #[test]
     fn each_image_is_shown_in_its_way() {
-        let pixel = [0.5, -1.0, 2.0, 1.0];
+        let pixel = [0.5, -1.0, 2.0];
         assert_eq!(visible("normal", pixel, 4.0), [191, 0, 255]);
         assert_eq!(visible("ao", pixel, 4.0), [128, 0, 255]);
         assert_eq!(visible("albedo", pixel, 4.0), [188, 0, 255]);
-        assert_eq!(
-            visible("final", [0.25, 0.25, 0.25, 1.0], 2.0),
-            visible("diffuse", [0.5, 0.5, 0.5, 0.0], 1.0)
-        );
+        assert_eq!(visible("final", [0.25, 0.25, 0.25], 2.0), visible("diffuse", [0.5, 0.5, 0.5], 1.0));
     }
 
     #[test]

@@ -1,19 +1,23 @@
 //! `voxlume render`.
 
+mod frames;
+
+use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use voxlume::{Camera, Fault, Gpu, Passes, Renderer, Scene};
+use voxlume::{Camera, Fault, Gpu, Passes, Pipeline, Renderer, Scene};
 use voxlume_fault::suggest;
 
 use crate::Registry;
-use crate::args::PlanArgs;
+use crate::args::ImageArgs;
 use crate::devices;
 use crate::failure::Failure;
 use crate::outfile::{self, OutFile};
 use crate::picture::Kind;
 use crate::progress::Progress;
 use crate::timing::{Frames, Report, Resource};
+use crate::voxelize;
 
 /// Render a scene to PNG and EXR, and tell what it cost
 ///
@@ -23,16 +27,22 @@ use crate::timing::{Frames, Report, Resource};
 /// with alpha as the pass left it (final: 1 on surfaces, 0 in the sky; shadow: the fourth light).
 ///
 /// Every timed frame runs all passes, also those, such as voxelize, that a still scene needs only once.
+///
+/// With `--frames A..B` the scene's animation is rendered, from frame A on up to the one before B, each to a file with its
+/// number: frame N shows the scene at N/FPS seconds. Then only passes run whose result may have changed, and the times
+/// are theirs, over all frames.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   voxlume render scenes/cornell.ron -o cornell.png
   voxlume render scenes/cornell.ron --format six_face -o cornell.png -o cornell.exr
   voxlume render scenes/cornell.ron --output ao -o ao.png
   voxlume render scenes/cornell.ron --set bounce.bounces=1 --exposure 0.5 -o bright.png
+  voxlume render scenes/moving.ron --frames 0..48 -o out/frame_{:04}.png --json out/times.json
+  voxlume render scenes/moving.ron --time 0.5 --output voxel_view -o voxels.png
   voxlume render scenes/cornell.ron --size 640x360 --repeat 20 -o cornell.png --json cornell.json")]
 pub struct Args {
     #[command(flatten)]
-    plan: PlanArgs,
+    image: ImageArgs,
 
     /// Camera of the scene; the first one unless given
     #[arg(long, value_name = "NAME")]
@@ -45,6 +55,14 @@ pub struct Args {
     /// Frames to time, after one of warm-up
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     repeat: u32,
+
+    /// Frames of the animation to render, numbered from A to B - 1; each -o then has a `{}` or, say, `{:04}` in its name
+    #[arg(long, value_name = "A..B", conflicts_with_all = ["repeat", "time"], value_parser = frames::numbers)]
+    frames: Option<Range<u32>>,
+
+    /// Frames a second of the animation, 24 unless given
+    #[arg(long, value_name = "N", requires = "frames", value_parser = frames::rate)]
+    fps: Option<f64>,
 
     /// Exposure of PNGs in stops
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = exposure)]
@@ -59,25 +77,29 @@ pub struct Args {
     json: Option<PathBuf>,
 }
 
-fn exposure(text: &str) -> Result<f32, String> {
+/// Stops of exposure.
+pub fn exposure(text: &str) -> Result<f32, String> {
     let stops = text.parse().ok().filter(|stops: &f32| stops.abs() <= 100.0);
     stops.ok_or_else(|| "a number from -100 to 100".into())
 }
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
+    if let Some(range) = &args.frames {
+        return frames::run(args, registry, range);
+    }
     // What can be refused at once is, before the long work.
     let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
-    let json = args.json.as_deref().map(OutFile::new).transpose()?;
-    let pipeline = args.plan.pipeline()?;
+    let times = args.json.as_deref().map(OutFile::new).transpose()?;
+    let pipeline = args.image.plan.pipeline()?;
 
     let mut progress = Progress::new();
-    progress.stage(format!("loading {}", args.plan.scene.display()));
-    let scene = Scene::load(&args.plan.scene)?;
+    progress.stage(format!("loading {}", args.image.plan.scene.display()));
+    let scene = args.image.plan.scene()?;
     let camera = camera(&scene, args.camera.as_deref())?;
     progress.stage("planning".into());
-    let plan = args.plan.plan(registry, &pipeline, &scene)?;
+    let plan = args.image.plan(registry, &pipeline, &scene)?;
 
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let gpu = Gpu::open(args.adapter.as_deref())?;
@@ -96,17 +118,27 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let report = report(&gpu, &scene, &renderer, &frames);
     let name = &renderer.plan().resources[renderer.plan().output].name;
     let picture = renderer.picture(name)?;
+    let shown = channel_shown(&pipeline, args, name);
     let mut files = Vec::new();
     for (kind, file) in pictures {
-        files.push((file, kind.encode(&picture, name, args.exposure.exp2())?));
+        files.push((file, kind.encode(&picture, &shown, args.exposure.exp2())?));
     }
-    if let Some(file) = json {
-        let text = serde_json::to_string_pretty(&report).map_err(|error| Failure::work(error.to_string()))?;
-        files.push((file, (text + "\n").into_bytes()));
+    if let Some(file) = times {
+        files.push((file, json(&report)?));
     }
     outfile::write(&files)?;
     drop(progress);
     crate::print(&report.tables(&frames))
+}
+
+/// The image's kind for the eye: its name, or the channel of a view of the voxels.
+fn channel_shown(pipeline: &Pipeline, args: &Args, image: &str) -> String {
+    voxelize::channel_of(pipeline, &args.image.plan.set, image).unwrap_or_else(|| image.to_owned())
+}
+
+fn json(report: &Report) -> Result<Vec<u8>, Failure> {
+    let text = serde_json::to_string_pretty(report).map_err(|error| Failure::work(error.to_string()))?;
+    Ok((text + "\n").into_bytes())
 }
 
 /// The camera of that name, or the first one.
@@ -133,5 +165,6 @@ fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) ->
         total_ms: frames.total().0,
         resources: renderer.bytes().into_iter().map(|(name, bytes)| Resource { name, bytes }).collect(),
         occupied_voxels: renderer.counts().0,
+        frames: None,
     }
 }

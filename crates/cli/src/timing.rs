@@ -30,6 +30,20 @@ pub struct Report {
     pub resources: Vec<Resource>,
     /// Voxels that a triangle touches.
     pub occupied_voxels: u64,
+    /// Which frames of the animation these are; absent for a still picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<Numbers>,
+}
+
+/// Frames of an animation.
+#[derive(Debug, Serialize)]
+pub struct Numbers {
+    /// The first.
+    pub first: u32,
+    /// The one after the last.
+    pub end: u32,
+    /// Frames a second.
+    pub fps: f64,
 }
 
 /// A resource's size.
@@ -55,6 +69,11 @@ impl Frames {
     pub fn push(&mut self, passes: Vec<PassTime>, wall_ms: f64) {
         self.passes.push(passes);
         self.wall.push(wall_ms);
+    }
+
+    /// How many.
+    pub fn count(&self) -> usize {
+        self.wall.len()
     }
 
     /// Each pass's time over all frames.

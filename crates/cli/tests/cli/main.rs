@@ -10,4 +10,5 @@ mod explain;
 mod folder;
 mod render;
 mod usage;
+mod voxelize;
 mod wgsl;
