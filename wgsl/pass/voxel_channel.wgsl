@@ -2,7 +2,7 @@
 
 import package::common::attributes::voxel_surface;
 import package::common::dispatch::dispatch_index;
-import package::common::shown_voxel::{ShownVoxel, pack_shown_normal, params, CHANNEL_ALBEDO, CHANNEL_NORMAL, CHANNEL_EMISSION};
+import package::pass::shown_voxel::{ShownVoxel, pack_shown_normal, params, CHANNEL_ALBEDO, CHANNEL_NORMAL, CHANNEL_EMISSION};
 import package::common::voxels::level_cell;
 
 @group(1) @binding(6) var<storage, read_write> shown_voxels: array<ShownVoxel>;

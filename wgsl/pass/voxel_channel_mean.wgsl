@@ -1,7 +1,7 @@
 // What a cell of a coarser level shows: the mean of its occupied children.
 
 import package::common::dispatch::dispatch_index;
-import package::common::shown_voxel::{ShownVoxel, pack_shown_normal, shown_normal, params, CHANNEL_NORMAL};
+import package::pass::shown_voxel::{ShownVoxel, pack_shown_normal, shown_normal, params, CHANNEL_NORMAL};
 import package::common::step::step_params;
 import package::common::voxels::{cell_rank, is_occupied, level_cell, levels};
 

@@ -2,7 +2,7 @@
 
 import package::common::dispatch::dispatch_index;
 import package::common::frame::{frame, to_voxel};
-import package::common::shown_voxel::{ShownVoxel, params, CHANNEL_LIT, CHANNEL_OPACITY};
+import package::pass::shown_voxel::{ShownVoxel, params, CHANNEL_LIT, CHANNEL_OPACITY};
 import package::common::step::step_params;
 import package::common::voxels::{level_cell, levels};
 import package::format::sample::voxel_sample;

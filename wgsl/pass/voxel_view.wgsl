@@ -1,7 +1,7 @@
 // The voxels of a level as cubes, seen by the camera: a ray for each pixel through the occupancy bitmask.
 
 import package::common::frame::{frame, to_voxel};
-import package::common::shown_voxel::{ShownVoxel, params, CHANNEL_OCCUPANCY};
+import package::pass::shown_voxel::{ShownVoxel, params, CHANNEL_OCCUPANCY};
 import package::common::step::step_params;
 import package::common::surface::camera_ray;
 import package::common::voxel_hit::first_voxel;

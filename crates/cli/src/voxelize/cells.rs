@@ -54,7 +54,7 @@ fn words(renderer: &Renderer<'_>, name: &str) -> Result<Vec<u32>, Failure> {
     Ok(bytes(renderer, name)?.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
 }
 
-/// The inverse of `pack_shown_normal` in wgsl/common/shown_voxel.wgsl.
+/// The inverse of `pack_shown_normal` in wgsl/pass/shown_voxel.wgsl.
 fn normal(bits: u32) -> [f32; 3] {
     if bits == 0x8000_8000 {
         return [0.0; 3];

@@ -8,6 +8,7 @@ mod check;
 mod compare;
 mod explain;
 mod folder;
+mod frames;
 mod render;
 mod usage;
 mod voxelize;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::folder::Folder;
+use crate::folder::{Folder, SCENE};
 
 fn report(folder: &Folder, words: &str) -> Value {
     let ran = folder.run(&format!("voxelize box.ron --resolution 32 --json v.json {words}"));
@@ -43,8 +43,11 @@ fn counts_and_hashes() {
     let bytes = conservative["resources"].as_array().unwrap().iter().map(|r| r["bytes"].as_u64().unwrap());
     assert_eq!(conservative["bytes"].as_u64(), Some(bytes.sum()));
 
+    folder.edit("box.ron", SCENE, "name: \"square\"", "name: \"square\", rotate_deg: (20, 30, 0)");
+    let conservative = report(&folder, "");
     let again = report(&folder, "");
     let thin = report(&folder, "--separability thin");
+    assert!(thin["occupied"].as_u64() < conservative["occupied"].as_u64());
     for hash in ["occupancy_hash", "attribute_hash"] {
         assert_eq!(conservative[hash].as_str().unwrap().len(), 64);
         assert_eq!(conservative[hash], again[hash]);
@@ -83,12 +86,7 @@ fn a_picture_points_and_a_model() {
 #[test]
 fn light_shows_in_the_volumes_channels() {
     let folder = Folder::new();
-    folder.edit(
-        "box.ron",
-        crate::folder::SCENE,
-        "cameras:",
-        "lights: [Point(position: (0, 0, 3), intensity: 9)], cameras:",
-    );
+    folder.edit("box.ron", SCENE, "cameras:", "lights: [Point(position: (0, 0, 3), intensity: 9)], cameras:");
     let mean = |words: &str| {
         report(&folder, &format!("--size 16x16 -o v.png {words}"));
         let image = image::open(folder.path().join("v.png")).unwrap().into_rgb8();
