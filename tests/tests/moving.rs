@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3, Vec3};
 use voxlume::scene::{Key, Light, LightKind, Moved, Path};
-use voxlume::{Passes, Renderer, Request, Scene};
+use voxlume::{Passes, Renderer, Request, Scene, Value};
 use voxlume_tests::{
     Random, Substrate, add, built_in, gi, gpu, picture, plan_for, render, scene_of, soup, span, triangles,
 };
@@ -52,6 +52,15 @@ fn is_as_anew(scene: &mut Scene, request: &Request, times: &[f64]) {
 fn frames_have_the_bits_of_voxelizing_anew() {
     for format in ["isotropic", "six_face", "sh2"] {
         is_as_anew(&mut built_in("moving.ron"), &request(format), &[0.0, 0.3, 1.55, 0.9]);
+    }
+}
+
+#[test]
+fn every_method_of_voxelization_takes_a_part_of_the_triangles() {
+    let mut scene = built_in("moving.ron");
+    for method in ["triangle", "fragment", "hybrid"] {
+        let set = vec![("voxelize".into(), "method".into(), Value::Word(method.into()))];
+        is_as_anew(&mut scene, &Request { set, ..request("isotropic") }, &[0.1, 0.7]);
     }
 }
 

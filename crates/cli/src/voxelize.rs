@@ -9,7 +9,7 @@ mod vox;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use voxlume::{Gpu, Passes, Pipeline, Renderer, Value};
+use voxlume::{DEFAULT_METHOD, Gpu, Passes, Pipeline, Renderer, Value};
 
 use crate::Registry;
 use crate::args::{self, PlanArgs};
@@ -42,10 +42,14 @@ use report::Report;
   voxlume voxelize scenes/cornell.ron --channel normal --level 2 -o normals.png
   voxlume voxelize scenes/cornell.ron --format six_face --channel radiance --direction +x -o from_right.exr
   voxlume voxelize scenes/cornell.ron --channel albedo --resolution 256 -o cornell.vox -o cornell.ply
-  voxlume voxelize scenes/cornell.ron --separability thin --repeat 20 --json thin.json")]
+  voxlume voxelize scenes/cornell.ron --method fragment --separability thin --repeat 20 --json thin.json")]
 pub struct Args {
     #[command(flatten)]
     plan: PlanArgs,
+
+    /// How triangles are voxelized, instead of as the pipeline says; all methods set the same bits
+    #[arg(long, value_parser = ["triangle", "fragment", "hybrid", "balanced"])]
+    method: Option<String>,
 
     /// Which voxels a surface takes, instead of the pipeline's: thin (6-separable) or conservative (26-separable,
     /// all that it overlaps)
@@ -120,7 +124,8 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     }
 
     progress.stage("writing".into());
-    let report = Report::new(&gpu, &scene, &pipeline, &renderer, &frames)?;
+    let asked = args.method.clone().or_else(|| method(&pipeline)).unwrap_or(DEFAULT_METHOD.into());
+    let report = Report::new(&gpu, &scene, (&pipeline, asked), &renderer, &frames)?;
     let mut written = Vec::new();
     let scale = args.exposure.exp2();
     let cells = match files.iter().any(|(kind, _)| !kind.is_picture()) {
@@ -158,6 +163,10 @@ fn request(args: &Args, pipeline: &Pipeline) -> voxlume::Request {
         None => ("", "voxel_view"),
     };
     request.output = Some(image.to_owned());
+    let voxelizes = pipeline.passes.iter().find(|pass| pass.run.value == "voxelize");
+    let method = voxelizes.zip(args.method.as_ref());
+    let method = method.map(|(pass, word)| (pass.name.clone(), "method".into(), Value::Word(word.clone())));
+    request.set.extend(method);
     if !args.out.iter().any(|path| Kind::of(path).is_ok_and(Kind::is_picture)) {
         request.screen = [1, 1];
     }
@@ -177,6 +186,15 @@ fn request(args: &Args, pipeline: &Pipeline) -> voxlume::Request {
         request.set.extend(set.map(|(param, value)| (name.to_owned(), param.to_owned(), value)));
     }
     request
+}
+
+/// How the pipeline says that triangles are voxelized.
+fn method(pipeline: &Pipeline) -> Option<String> {
+    let pass = pipeline.passes.iter().find(|pass| pass.run.value == "voxelize")?;
+    match &pass.params.iter().find(|param| param.name == "method")?.value {
+        Value::Word(word) => Some(word.clone()),
+        _ => None,
+    }
 }
 
 /// The channel that an image of a pipeline shows, if it is a view of the voxels.

@@ -15,6 +15,7 @@ mod pipeline;
 mod plan;
 mod planner;
 
+pub use expand::voxelize::DEFAULT_METHOD;
 pub use explain::explain;
 pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
 pub use grid::{Extent, Grid, fixed_point_scale};

@@ -17,6 +17,7 @@ pub struct Report {
     device: Device,
     scene: String,
     triangles: u32,
+    method: String,
     separability: String,
     /// Voxels along x, y, z.
     grid: [u32; 3],
@@ -45,7 +46,7 @@ impl Report {
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
-        pipeline: &Pipeline,
+        (pipeline, method): (&Pipeline, String),
         renderer: &Renderer<'_>,
         frames: &Frames,
     ) -> Result<Report, Failure> {
@@ -67,6 +68,7 @@ impl Report {
             device: devices::describe(&gpu.info),
             scene: scene.name.clone(),
             triangles: plan.triangles,
+            method,
             separability: pipeline.separability.value.clone(),
             grid: plan.grid.size,
             voxel_size: plan.grid.voxel_size,
@@ -105,10 +107,15 @@ impl Report {
         };
         format!(
             "{name} · {kind} · {driver}\n\
-             {} · {x} × {y} × {z} {} voxels, each {:.4} wide\n\n\
+             {} · {x} × {y} × {z} {} voxels, each {:.4} wide · {}\n\n\
              times of {runs} after one of warm-up, by {clock}\n{table}\n\
              occupancy   {}\nattributes  {}\n",
-            self.scene, self.separability, self.voxel_size, self.occupancy_hash, self.attribute_hash,
+            self.scene,
+            self.separability,
+            self.voxel_size,
+            self.method,
+            self.occupancy_hash,
+            self.attribute_hash,
         )
     }
 }

@@ -24,6 +24,7 @@ fn counts_and_hashes() {
         "device",
         "grid",
         "median_ms",
+        "method",
         "occupancy_hash",
         "occupied",
         "resources",
@@ -53,7 +54,13 @@ fn counts_and_hashes() {
         assert_eq!(conservative[hash], again[hash]);
         assert_ne!(conservative[hash], thin[hash]);
     }
-    assert_eq!(thin["separability"], "thin");
+    assert_eq!((&thin["separability"], &thin["method"]), (&"thin".into(), &"balanced".into()));
+    for method in ["triangle", "fragment", "hybrid"] {
+        let other = report(&folder, &format!("--separability thin --method {method}"));
+        assert_eq!(other["method"], method);
+        assert_eq!(other["occupancy_hash"], thin["occupancy_hash"], "{method}");
+        assert_eq!(other["attribute_hash"], thin["attribute_hash"], "{method}");
+    }
 }
 
 #[test]

@@ -11,6 +11,9 @@ pub(crate) const LEVEL_RUN_BYTES: u64 = 32;
 /// Voxel² of projected area up to which `hybrid` has a thread walk a triangle.
 const CUTOFF: f64 = 4.0;
 
+/// The word for the method of a pass that doesn't say.
+pub const DEFAULT_METHOD: &str = "balanced";
+
 /// Least side of a tile in columns.
 const TILE: u32 = 8;
 
@@ -29,7 +32,7 @@ enum Method {
 
 fn method(e: &mut Expansion<'_, '_>) -> Option<Method> {
     let (kind, faults) = (e.kind, &mut e.context.faults);
-    let word = e.params.word_or(kind, "method", "balanced", faults);
+    let word = e.params.word_or(kind, "method", DEFAULT_METHOD, faults);
     let cutoff = e.params.number_or(kind, "cutoff", CUTOFF, faults)?;
     Some(match word? {
         "triangle" => Method::Triangle,
