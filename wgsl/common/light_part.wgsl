@@ -11,7 +11,8 @@ fn quad_point(c: array<vec3f, 4>, u: f32, v: f32) -> vec3f {
 }
 
 // Of an area light one of `sides` × `sides` parts; of a disc one of as many smaller discs that a spiral spreads evenly
-// over it. `turn` in [0, 1) says which.
+// over it. `turn` in [0, 1) says which. Where the part's middle is below the horizon it is the whole: what of the light
+// is above stands for the rest.
 fn light_part(light: Light, whole: Incidence, sides: u32, turn: f32, position: vec3f, normal: vec3f) -> Incidence {
     let count = sides * sides;
     let index = min(u32(turn * f32(count)), count - 1);
@@ -25,12 +26,20 @@ fn light_part(light: Light, whole: Incidence, sides: u32, turn: f32, position: v
             quad_point(corners, high.x, high.y),
             quad_point(corners, low.x, high.y),
         );
-        return area_incidence(part, light, position, normal);
+        let incidence = area_incidence(part, light, position, normal);
+        if (dot(incidence.direction, normal) > 0.0) {
+            return incidence;
+        }
+        return whole;
     }
     let radius = whole.tangent * sqrt((f32(index) + 0.5) / f32(count));
     let angle = f32(index) * GOLDEN_ANGLE;
+    let direction = normalize(basis_around(whole.direction) * vec3f(radius * cos(angle), radius * sin(angle), 1.0));
+    if (dot(direction, normal) <= 0.0) {
+        return whole;
+    }
     var part = whole;
-    part.direction = normalize(basis_around(whole.direction) * vec3f(radius * cos(angle), radius * sin(angle), 1.0));
+    part.direction = direction;
     part.tangent = whole.tangent / f32(sides);
     return part;
 }

@@ -36,11 +36,7 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
     let whole = light_incidence(light, surface.position, surface.normal);
-    var part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal);
-    // A part below the horizon gives nothing: the pixel then looks at the whole.
-    if (all(part.irradiance <= vec3f(0.0))) {
-        part = whole;
-    }
+    let part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal_geometric);
     return cone_visibility(surface, light, part, params);
 }
 

@@ -58,11 +58,7 @@ fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
         if (all(whole.irradiance <= vec3f(0.0))) {
             continue;
         }
-        // A part below the horizon gives nothing: the voxel then looks at the middle of the whole.
-        var part = light_part(light, whole, params.parts, turn, position, normal);
-        if (all(part.irradiance <= vec3f(0.0))) {
-            part = whole;
-        }
+        let part = light_part(light, whole, params.parts, turn, position, normal);
         sum += whole.irradiance * visibility(light, part, p_voxel, normal);
     }
     return sum;
