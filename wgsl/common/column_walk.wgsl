@@ -14,11 +14,31 @@ fn visit_column(visitor: Visitor, b: TriangleBox, column: vec2i) {
     }
 }
 
-// Between two columns, both included.
+// Between two columns, both included. One loop that ends at its foot: a software device goes through a loop's body until
+// all of its lanes have left, and once more where they leave at its head.
 fn visit_columns(visitor: Visitor, b: TriangleBox, first: vec2i, last: vec2i) {
-    for (var y = first.y; y <= last.y; y++) {
-        for (var x = first.x; x <= last.x; x++) {
-            visit_column(visitor, b, vec2i(x, y));
+    var column = first;
+    var z = 0;
+    var top = -1;
+    loop {
+        if (z > top && all(column <= last)) {
+            let range = column_range(b, column);
+            z = range.x;
+            top = range.y;
+        }
+        let cell = vec3i(column, z);
+        if (z <= top && column_cell_overlaps(b, cell)) {
+            visit(visitor, unswizzle(vec3u(cell), b.axis));
+        }
+        z++;
+        if (z > top) {
+            column.x++;
+            if (column.x > last.x) {
+                column = vec2i(first.x, column.y + 1);
+            }
+        }
+        if (column.y > last.y) {
+            break;
         }
     }
 }

@@ -11,7 +11,8 @@ struct Corners {
     // Voxels.
     v: array<vec3f, 3>,
     uv: array<vec2f, 3>,
-    index: vec3u,
+    normal: array<vec3f, 3>,
+    tangent: array<vec4f, 3>,
     material: u32,
     // Of the texture arrays.
     lod: f32,
@@ -26,10 +27,14 @@ struct Fragment {
 fn corners_of(triangle: u32, v: array<vec3f, 3>) -> Corners {
     var c: Corners;
     c.v = v;
-    c.index = triangle_indices(triangle);
-    c.material = vertices[c.index.x].material;
+    let i = triangle_indices(triangle);
+    c.material = vertices[i.x].material;
+    c.normal = array(
+        unpack_normal(vertices[i.x].normal), unpack_normal(vertices[i.y].normal), unpack_normal(vertices[i.z].normal));
     if (HAS_TEXTURES) {
-        c.uv = array(vertices[c.index.x].uv, vertices[c.index.y].uv, vertices[c.index.z].uv);
+        c.tangent = array(unpack_tangent(vertices[i.x].tangent), unpack_tangent(vertices[i.y].tangent),
+            unpack_tangent(vertices[i.z].tangent));
+        c.uv = array(vertices[i.x].uv, vertices[i.y].uv, vertices[i.z].uv);
         let e1 = c.uv[1] - c.uv[0];
         let e2 = c.uv[2] - c.uv[0];
         let texels = abs(e1.x * e2.y - e1.y * e2.x) * f32(frame.texture_size) * f32(frame.texture_size);
@@ -83,15 +88,11 @@ fn fragment_at(c: Corners, center_voxel: vec3f) -> Fragment {
 
 // Unit, normal map included.
 fn fragment_normal(c: Corners, f: Fragment, material: Material) -> vec3f {
-    let n = f.weights.x * unpack_normal(vertices[c.index.x].normal)
-        + f.weights.y * unpack_normal(vertices[c.index.y].normal)
-        + f.weights.z * unpack_normal(vertices[c.index.z].normal);
+    let n = f.weights.x * c.normal[0] + f.weights.y * c.normal[1] + f.weights.z * c.normal[2];
     let normal = normalize(n + vec3f(0.0, 1e-20, 0.0));
     if (!HAS_TEXTURES) {
         return normal;
     }
-    let tangent = f.weights.x * unpack_tangent(vertices[c.index.x].tangent)
-        + f.weights.y * unpack_tangent(vertices[c.index.y].tangent)
-        + f.weights.z * unpack_tangent(vertices[c.index.z].tangent);
+    let tangent = f.weights.x * c.tangent[0] + f.weights.y * c.tangent[1] + f.weights.z * c.tangent[2];
     return shading_normal(material, f.uv, f.lod, normal, tangent);
 }

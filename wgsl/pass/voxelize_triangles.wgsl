@@ -34,7 +34,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let triangle = dispatch_index(id, 64);
     if (triangle >= triangle_range.count) {
         // One past the last holds the total.
-        if (COUNTS && triangle == triangle_range.count) {
+        if (COUNTS && DEFER != 0 && triangle == triangle_range.count) {
             item_counts[triangle] = 0;
         }
         return;
@@ -45,7 +45,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (COUNTS && DEFER != 0) {
         item_counts[triangle] = left;
     }
-    if (left == 0) {
-        visit_columns(visitor(triangle, v), b, b.cell_min.xy, b.cell_max.xy);
-    }
+    let last = select(b.cell_min.xy - 1, b.cell_max.xy, left == 0);
+    visit_columns(visitor(triangle, v), b, b.cell_min.xy, last);
 }

@@ -15,13 +15,15 @@ override HAS_COVERAGE: bool = false;
 
 struct Visitor {
     corners: Corners,
+    material: Material,
     // A triangle weighs as much as it can show of itself within one voxel, in voxel faces.
     weight: f32,
 }
 
 fn visitor(triangle: u32, v: array<vec3f, 3>) -> Visitor {
     let area = 0.5 * length(cross(v[1] - v[0], v[2] - v[0]));
-    return Visitor(corners_of(triangle, v), clamp(area, 1.0 / 1024.0, 1.0));
+    let corners = corners_of(triangle, v);
+    return Visitor(corners, materials[corners.material], clamp(area, 1.0 / 1024.0, 1.0));
 }
 
 fn add(word: u32, value: f32) {
@@ -43,7 +45,7 @@ fn visit(visitor: Visitor, cell: vec3u) {
         return;
     }
     let f = fragment_at(visitor.corners, vec3f(cell) + 0.5);
-    let material = materials[visitor.corners.material];
+    let material = visitor.material;
     let color = base_color(material, f.uv, f.lod);
     if (HAS_ALPHA_MASK && material.alpha_cutoff > 0.0 && color.a < material.alpha_cutoff) {
         return;

@@ -43,7 +43,16 @@ impl SceneObjects {
             let read = wgpu::BufferUsages::STORAGE;
             // What an update writes.
             let kept = read | wgpu::BufferUsages::COPY_DST;
-            let indices: &[u8] = bytemuck::cast_slice(&geometry.triangles);
+            let moving = Geometry::moving(scene, plan.grid.centre);
+            let still = (
+                geometry.positions.len() - moving.positions.len(),
+                geometry.triangles.len() - moving.triangles.len(),
+            );
+            let mut triangles = geometry.triangles.clone();
+            let (never, may) = triangles.split_at_mut(still.1);
+            masked_last(scene, &geometry, never);
+            masked_last(scene, &geometry, may);
+            let indices: &[u8] = bytemuck::cast_slice(&triangles);
             let index_buffer = storage("indices", indices, kept | wgpu::BufferUsages::INDEX);
             let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("frame"),
@@ -54,11 +63,6 @@ impl SceneObjects {
             let vertices = storage("vertices", bytemuck::cast_slice(&mesh::vertices(&geometry)), kept);
             let light_buffer = storage("lights", bytemuck::cast_slice(&lights.lights), kept);
             let shadow_matrices = storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), kept);
-            let moving = Geometry::moving(scene, plan.grid.centre);
-            let still = (
-                geometry.positions.len() - moving.positions.len(),
-                geometry.triangles.len() - moving.triangles.len(),
-            );
             let named = vec![
                 ("frame", Object::Buffer(frame.clone())),
                 ("vertices", Object::Buffer(vertices.clone())),
@@ -105,8 +109,9 @@ impl SceneObjects {
         let lights = light::lights(scene, plan, facts);
         let geometry = Geometry::moving(scene, plan.grid.centre);
         let (first_vertex, first_triangle) = self.still;
-        let triangles = geometry.triangles.iter().map(|t| t.map(|i| i + first_vertex as u32));
-        let triangles: Vec<[u32; 3]> = triangles.collect();
+        let mut triangles = geometry.triangles.clone();
+        masked_last(scene, &geometry, &mut triangles);
+        triangles.iter_mut().flatten().for_each(|index| *index += first_vertex as u32);
         let known = (self.light_count, self.index_count as usize / 3);
         let (lit, shown) = (lights.count, first_triangle + triangles.len());
         if (lit, shown) != known {
@@ -124,6 +129,13 @@ impl SceneObjects {
         write(&self.shadow_matrices, 0, bytemuck::cast_slice(&lights.matrices));
         Ok(())
     }
+}
+
+/// As the plan has them voxelized apart.
+fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
+    triangles.sort_by_key(|triangle| {
+        scene.materials[geometry.materials[triangle[0] as usize] as usize].is_masked()
+    });
 }
 
 /// A buffer with these bytes, at least one element's worth of zeroes.

@@ -1,5 +1,7 @@
 //! What of a scene a plan depends on.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use voxlume_scene::{LightKind, Scene};
 
@@ -35,6 +37,8 @@ pub struct SceneFacts {
     pub texture_size: u32,
     /// Whether any material has an alpha mask.
     pub masked: bool,
+    /// Triangles of such materials, of instances that never move and of those that may; they come last among these.
+    pub masked_triangles: [u32; 2],
     /// Whether any material is metallic or smoother than fully rough.
     pub glossy: bool,
     /// Whether anything outside the scene shines.
@@ -80,7 +84,13 @@ impl SceneFacts {
             }),
             texture_layers: [srgb, scene.textures.len() as u32 - srgb],
             texture_size: largest.next_power_of_two().min(TEXTURE_SIZE_LIMIT),
-            masked: used.iter().any(|material| material.alpha_cutoff.is_some()),
+            masked: used.iter().any(|material| material.is_masked()),
+            masked_triangles: [false, true].map(|moving| {
+                let instances = scene.instances.iter().filter(|instance| instance.moving == moving);
+                let meshes = instances.map(|instance| &scene.meshes[instance.mesh]);
+                let masked = meshes.filter(|mesh| scene.materials[mesh.material].is_masked());
+                masked.map(|mesh| mesh.triangles.len() as u32).sum()
+            }),
             glossy: used.iter().any(|material| {
                 material.metallic > 0.0
                     || material.roughness < 1.0
@@ -94,6 +104,15 @@ impl SceneFacts {
                 .map(|instance| scene.meshes[instance.mesh].triangles.len() as u32)
                 .sum(),
         }
+    }
+
+    /// How many of these triangles, all or all that never move or all that may, have an alpha mask.
+    pub(crate) fn masked_in(&self, triangles: &Range<u32>) -> u32 {
+        let still = self.triangles - self.moving_triangles;
+        let [never, may] = self.masked_triangles;
+        let never = if triangles.start < still { never } else { 0 };
+        let may = if triangles.end > still { may } else { 0 };
+        never + may
     }
 
     /// Lights without a surface in the scene.

@@ -57,6 +57,13 @@ pub struct Material {
     pub double_sided: bool,
 }
 
+impl Material {
+    /// Whether texels of low alpha are holes.
+    pub fn is_masked(&self) -> bool {
+        self.alpha_cutoff.is_some_and(|cutoff| cutoff > 0.0)
+    }
+}
+
 impl Default for Material {
     fn default() -> Self {
         Material {

@@ -62,6 +62,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         texture_layers: [1, 2],
         texture_size: 64,
         masked: true,
+        masked_triangles: [100, 0],
         glossy: true,
         sky: true,
         moving_triangles: 100,

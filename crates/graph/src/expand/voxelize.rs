@@ -132,58 +132,73 @@ fn rank(e: &mut Expansion<'_, '_>, targets: &[(&str, Target)], ranks: usize, wor
     scan(e, ranks, words + 1);
 }
 
-/// Shows every overlapped voxel to a visitor; `first` counts what triangles leave to others.
+/// Shows every overlapped voxel to a visitor; `first` counts what triangles leave to others. Triangles with an alpha mask
+/// come last, and apart, so that the others need not look for one.
 fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &str, first: bool) {
-    let (method, all) = (part.method, e.context.facts.triangles);
-    let triangles = part.triangles.end - part.triangles.start;
-    let mount = Some(("visitor", visitor));
-    let (defer, cutoff) = match method {
-        Method::Fragment => return draw(e, part, visitor, Vertices::Fixed(3 * triangles), false),
-        Method::Triangle => (0.0, CUTOFF),
-        Method::Balanced => (1.0, CUTOFF),
-        Method::Hybrid(cutoff) => (2.0, cutoff),
-    };
-    let tile = ("TILE", f64::from(tile_side(all, e.context.grid.size)));
-    let mut constants =
-        vec![("DEFER", defer), ("CUTOFF", cutoff), ("COUNTS", f64::from(u8::from(first))), tile];
-    let bound = part.bound();
-    let mut targets = bound.clone();
-    if method != Method::Triangle {
-        let ranks = e.context.resource("tile_ranks", words(all + 1));
-        targets.push(("item_counts", Target::Resource(ranks)));
-    } else {
-        targets.push(("item_counts", Target::Nothing));
+    let Range { start, end } = part.triangles;
+    let split = end - e.context.facts.masked_in(&part.triangles);
+    for (triangles, masked) in [(start..split, false), (split..end, true)] {
+        if !triangles.is_empty() {
+            let part = Part { method: part.method, triangles, targets: part.targets.clone() };
+            visit_class(e, part, masked, visitor, first);
+        }
     }
-    let binds = Binds { targets: &targets, constants: &constants, mount };
-    e.compute("pass/voxelize_triangles", "main", &binds, groups_for(triangles + 1, 64));
-    if method == Method::Triangle {
-        return;
-    }
-    let groups = e.context.resource("item_groups", ResourceKind::Buffer(16));
-    let drawn = method != Method::Balanced;
-    if first {
-        let ranks = e.context.resource("tile_ranks", ResourceKind::Buffer(0));
-        scan(e, ranks, triangles + 1);
-        constants.push(("DRAWN", f64::from(u8::from(drawn))));
-        let binds = Binds { targets: &bound, constants: &constants, ..Binds::default() };
-        e.compute("pass/item_dispatch", "main", &binds, [1, 1, 1]);
-    }
-    if drawn {
-        return draw(e, part, visitor, Vertices::Indirect { resource: groups, offset: 0 }, true);
-    }
-    let binds = Binds { targets: &bound, constants: &constants, mount };
-    let groups = Groups::Indirect { resource: groups, offset: 0 };
-    e.compute_groups("pass/voxelize_tiles", "main", &binds, groups);
 }
 
-fn draw(e: &mut Expansion<'_, '_>, part: &Part, visitor: &str, vertices: Vertices, deferred: bool) {
+fn visit_class(e: &mut Expansion<'_, '_>, part: Part, masked: bool, visitor: &str, first: bool) {
+    let flag = |on: bool| f64::from(u8::from(on));
+    let (method, all) = (part.method, e.context.facts.triangles);
+    let count = part.triangles.end - part.triangles.start;
+    let (defer, cutoff, deferred) = match method {
+        Method::Triangle | Method::Fragment => (0.0, CUTOFF, false),
+        Method::Balanced => (1.0, CUTOFF, true),
+        Method::Hybrid(cutoff) => (2.0, cutoff, true),
+    };
+    let constants = [
+        ("HAS_ALPHA_MASK", flag(masked)),
+        ("TILE", f64::from(tile_side(all, e.context.grid.size))),
+        ("DEFER", defer),
+        ("CUTOFF", cutoff),
+        ("COUNTS", flag(first)),
+        ("DRAWN", flag(method != Method::Balanced)),
+        ("DEFERRED", flag(deferred)),
+    ];
+    let mount = Some(("visitor", visitor));
+    let mut targets = part.bound();
+    let [ranks, groups] = match masked {
+        false => ["tile_ranks", "item_groups"],
+        true => ["masked_tile_ranks", "masked_item_groups"],
+    };
+    // As many as either the triangles that never move or those that may.
+    let ranks = deferred.then(|| e.context.resource(ranks, words(all + 1)));
+    let groups = e.context.resource(groups, ResourceKind::Buffer(16));
+    let ranks_target = ranks.map_or(Target::Nothing, Target::Resource);
+    targets.extend([("tile_ranks", ranks_target.clone()), ("item_counts", ranks_target)]);
+    targets.push(("item_groups", Target::Resource(groups)));
+    let binds = Binds { targets: &targets, constants: &constants, mount };
+    if method != Method::Fragment {
+        e.compute("pass/voxelize_triangles", "main", &binds, groups_for(count + 1, 64));
+    }
+    if let (true, Some(ranks)) = (first, ranks) {
+        scan(e, ranks, count + 1);
+        let binds = Binds { targets: &targets, constants: &constants, ..Binds::default() };
+        e.compute("pass/item_dispatch", "main", &binds, [1, 1, 1]);
+    }
+    let (resource, offset) = (groups, 0);
+    match method {
+        Method::Triangle => {}
+        Method::Balanced => {
+            e.compute_groups("pass/voxelize_tiles", "main", &binds, Groups::Indirect { resource, offset });
+        }
+        Method::Hybrid(_) => draw(e, &binds, Vertices::Indirect { resource, offset }),
+        Method::Fragment => draw(e, &binds, Vertices::Fixed(3 * count)),
+    }
+}
+
+fn draw(e: &mut Expansion<'_, '_>, binds: &Binds<'_>, vertices: Vertices) {
     let side = e.context.grid.size.into_iter().max().unwrap_or(1);
     let target = e.context.resource("columns", ResourceKind::Raster { side });
-    let constants = [("DEFERRED", f64::from(u8::from(deferred)))];
-    let (targets, mount) = (part.bound(), Some(("visitor", visitor)));
-    let binds = Binds { targets: &targets, constants: &constants, mount };
-    if let Some(program) = e.program_of("pass/voxelize_fragments", &["vertex_main", "fragment_main"], &binds)
-    {
+    if let Some(program) = e.program_of("pass/voxelize_fragments", &["vertex_main", "fragment_main"], binds) {
         e.steps.push(Step::Raster { program, target, vertices });
     }
 }

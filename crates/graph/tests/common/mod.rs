@@ -26,6 +26,7 @@ pub fn rich() -> SceneFacts {
         texture_layers: [2, 1],
         texture_size: 256,
         masked: true,
+        masked_triangles: [100, 0],
         glossy: true,
         sky: true,
         moving_triangles: 100,
