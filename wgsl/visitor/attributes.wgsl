@@ -13,6 +13,9 @@ import package::common::voxels::{is_occupied, voxel_slot};
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_COVERAGE: bool = false;
 
+// Whether a visit takes longer than to find the next voxel.
+const VISIT_TOGETHER = true;
+
 struct Visitor {
     corners: Corners,
     material: Material,

@@ -6,6 +6,9 @@ import package::common::material::{Material, materials, base_color, HAS_ALPHA_MA
 
 @group(1) @binding(0) var<storage, read_write> occupancy: array<atomic<u32>>;
 
+// Whether a visit takes longer than to find the next voxel.
+const VISIT_TOGETHER = false;
+
 struct Visitor {
     corners: Corners,
     material: Material,
