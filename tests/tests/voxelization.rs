@@ -114,7 +114,7 @@ fn hard() -> Vec<[Vec3; 3]> {
     ];
     for power in 0..9 {
         let (a, b) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(27.0, 20.0, 11.0));
-        list.push([a, b, a.lerp(b, 0.4) + Vec3::new(0.0, 10f32.powi(-power), 0.0)]);
+        list.push([a, b, a.lerp(b, 0.4) + Vec3::Y * 10f32.powi(-power)]);
     }
     let turned: Vec<_> = list.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
     list.iter().chain(&list).chain(&turned).copied().collect()

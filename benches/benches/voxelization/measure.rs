@@ -34,23 +34,8 @@ fn timed(gpu: &Gpu, scene: &Scene, plan: Plan, repeat: usize) -> Result<Cell, St
     let mut times = Vec::new();
     // The first warms up.
     for _ in 0..=repeat {
-        let cpu = || -> f64 {
-            std::fs::read_dir("/proc/self/task")
-                .unwrap()
-                .filter_map(|t| std::fs::read_to_string(t.unwrap().path().join("schedstat")).ok())
-                .map(|s| s.split(' ').next().unwrap().parse::<f64>().unwrap())
-                .sum::<f64>()
-                * 1e-6
-                / 2.0
-        };
-        let before = cpu();
         let frame = renderer.render(scene, &scene.cameras[0], Passes::All);
-        let ms = cpu() - before;
-        if std::env::var("VOXLUME_CPU").is_ok() {
-            times.push(ms);
-        } else {
-            times.extend(frame.map_err(|error| error.to_string())?.first().map(|pass| pass.milliseconds));
-        }
+        times.extend(frame.map_err(|error| error.to_string())?.first().map(|pass| pass.milliseconds));
     }
     times.remove(0);
     times.sort_by(f64::total_cmp);
@@ -81,17 +66,7 @@ fn voxelization(
         ..Request::image(1, 1)
     };
     let facts = SceneFacts::of(scene);
-    let mut library = Library::builtin();
-    if let Ok(dir) = std::env::var("VOXLUME_WGSL") {
-        for folder in ["common", "pass", "visitor"] {
-            for file in std::fs::read_dir(Path::new(&dir).join(folder)).unwrap() {
-                let file = file.unwrap().path();
-                let stem = file.file_stem().unwrap().to_string_lossy().into_owned();
-                library.insert(&format!("{folder}/{stem}"), voxlume::Source::read(&file).unwrap());
-            }
-        }
-    }
-    let mut plan = plan(&pipeline, &facts, &Formats::builtin(), &library, &request)
+    let mut plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request)
         .map_err(|faults| faults.to_string())?;
     plan.passes.retain(|pass| pass.name == "voxelize");
     let hierarchy = |step: &Step| match step {
