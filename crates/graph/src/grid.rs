@@ -152,7 +152,7 @@ mod tests {
                 assert!(longest - resolution < resolution.next_power_of_two().div_ceil(16).max(4));
                 assert!(
                     extent == Extent::Box(DVec3::ZERO, DVec3::new(0.1, 7.0, 2.0))
-                        || grid.holds(bounds.unwrap_or_default())
+                        || bounds.is_some_and(|bounds| grid.holds(bounds))
                 );
             }
         }
