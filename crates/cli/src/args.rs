@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use voxlume::{Faults, Pipeline, Plan, Request, Scene, SceneFacts, Value};
+use voxlume::{Faults, Gpu, Pipeline, Plan, Request, Scene, SceneFacts, Value};
 
 use crate::{Registry, pipeline};
 
@@ -16,11 +16,12 @@ pub struct PlanArgs {
     #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
     pub pipeline: String,
 
-    /// Storage format, instead of the pipeline's: isotropic, six_face, sh2
+    /// Storage format, instead of the pipeline's: isotropic, six_face, sh2; options follow, such as
+    /// sh2:mip=projected:negatives=window
     #[arg(long)]
     pub format: Option<String>,
 
-    /// Texel encoding, instead of the pipeline's: rgba16float
+    /// Texel encoding, instead of the pipeline's: rgba8, rgba8:range=8, rgba16float, rgba32float
     #[arg(long)]
     pub encoding: Option<String>,
 
@@ -63,6 +64,7 @@ impl PlanArgs {
             output: None,
             set: self.set.clone(),
             screen: self.size,
+            filters_float32: false,
         }
     }
 }
@@ -80,9 +82,17 @@ pub struct ImageArgs {
 }
 
 impl ImageArgs {
-    /// Plans the pipeline for the scene.
-    pub fn plan(&self, registry: &Registry, pipeline: &Pipeline, scene: &Scene) -> Result<Plan, Faults> {
-        plan(registry, pipeline, scene, &Request { output: self.output.clone(), ..self.plan.request() })
+    /// Plans the pipeline for the scene, and for a device if there is one.
+    pub fn plan(
+        &self,
+        registry: &Registry,
+        pipeline: &Pipeline,
+        scene: &Scene,
+        gpu: Option<&Gpu>,
+    ) -> Result<Plan, Faults> {
+        let filters_float32 = gpu.is_some_and(Gpu::filters_float32);
+        let request = Request { output: self.output.clone(), filters_float32, ..self.plan.request() };
+        plan(registry, pipeline, scene, &request)
     }
 }
 

@@ -34,11 +34,11 @@ pub struct Args {
     #[arg(value_name = "SCENE", required = true)]
     scenes: Vec<PathBuf>,
 
-    /// Storage formats with commas between, or all
+    /// Storage formats with commas between, or all; options follow a name, such as sh2:mip=projected:negatives=window
     #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
     formats: Vec<String>,
 
-    /// Texel encodings with commas between, or all; the pipeline's unless given
+    /// Texel encodings with commas between, or all; the pipeline's unless given; rgba8:range=8 declares a range
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     encodings: Vec<String>,
 

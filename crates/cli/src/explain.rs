@@ -21,6 +21,6 @@ pub struct Args {
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let pipeline = args.image.plan.pipeline()?;
     let scene = args.image.plan.scene()?;
-    let plan = args.image.plan(registry, &pipeline, &scene)?;
+    let plan = args.image.plan(registry, &pipeline, &scene, None)?;
     crate::print(&voxlume::explain(&plan))
 }

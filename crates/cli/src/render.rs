@@ -99,10 +99,12 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let scene = args.image.plan.scene()?;
     let camera = camera(&scene, args.camera.as_deref())?;
     progress.stage("planning".into());
-    let plan = args.image.plan(registry, &pipeline, &scene)?;
+    // Faults first: a device takes its time to open, or may not be there.
+    args.image.plan(registry, &pipeline, &scene, None)?;
+    let gpu = Gpu::open(args.adapter.as_deref())?;
+    let plan = args.image.plan(registry, &pipeline, &scene, Some(&gpu))?;
 
     progress.stage(format!("compiling {} passes", plan.passes.len()));
-    let gpu = Gpu::open(args.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;
     progress.stage("rendering".into());
     renderer.render(&scene, camera, Passes::All)?;
@@ -116,6 +118,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
 
     progress.stage("writing".into());
     let report = report(&gpu, &scene, &renderer, &frames);
+    let clamped = renderer.out_of_range()?;
     let name = &renderer.plan().resources[renderer.plan().output].name;
     let picture = renderer.picture(name)?;
     let shown = channel_shown(&pipeline, args, name);
@@ -128,7 +131,8 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     }
     outfile::write(&files)?;
     drop(progress);
-    crate::print(&report.tables(&frames))
+    let clamped = clamped.map(|clamped| format!("\nnote: {clamped}\n")).unwrap_or_default();
+    crate::print(&(report.tables(&frames) + &clamped))
 }
 
 /// The image's kind for the eye: its name, or the channel of a view of the voxels.
@@ -159,7 +163,7 @@ fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) ->
         device: devices::describe(&gpu.info),
         scene: scene.name.clone(),
         format: plan.format.clone(),
-        encoding: plan.encoding.name().into(),
+        encoding: plan.encoding.to_string(),
         resolution: plan.grid.size.into_iter().max().unwrap_or(0),
         passes: frames.passes(),
         total_ms: frames.total().0,

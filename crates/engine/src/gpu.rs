@@ -58,8 +58,9 @@ impl Gpu {
         };
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("voxlume"),
-            // Timestamps are the one optional feature, used where they exist.
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            // Each has a path without.
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_FILTERABLE),
             required_limits: wgpu::Limits::default(),
             ..Default::default()
         };
@@ -95,6 +96,11 @@ impl Gpu {
     pub fn has_reliable_timestamps(&self) -> bool {
         let software = self.info.device_type == wgpu::DeviceType::Cpu;
         !software && self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
+    }
+
+    /// Whether the device filters textures of 32-bit floats.
+    pub fn filters_float32(&self) -> bool {
+        self.device.features().contains(wgpu::Features::FLOAT32_FILTERABLE)
     }
 
     /// Does something to the device and turns what it reports into an error. `what` completes "the device refuses …".

@@ -12,5 +12,5 @@ mod upload;
 pub use error::Error;
 pub use gpu::Gpu;
 pub use image::Picture;
-pub use renderer::{Passes, Renderer};
+pub use renderer::{OutOfRange, Passes, Renderer};
 pub use timing::{Clock, PassTime};

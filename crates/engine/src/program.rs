@@ -254,14 +254,13 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
             view_dimension: dimension(*dim),
             multisampled: *multisampled,
         },
-        BindingKind::StorageTexture { dim, access, .. } => wgpu::BindingType::StorageTexture {
+        BindingKind::StorageTexture { dim, access, format } => wgpu::BindingType::StorageTexture {
             access: match access {
                 Access::ReadOnly => wgpu::StorageTextureAccess::ReadOnly,
                 Access::WriteOnly => wgpu::StorageTextureAccess::WriteOnly,
                 Access::ReadWrite => wgpu::StorageTextureAccess::ReadWrite,
             },
-            // Plans only use the encodings of volumes and images.
-            format: wgpu::TextureFormat::Rgba16Float,
+            format: storage_format(format),
             view_dimension: dimension(*dim),
         },
         BindingKind::Sampler { comparison: true } => {
@@ -270,6 +269,16 @@ fn binding_type(kind: &BindingKind) -> wgpu::BindingType {
         BindingKind::Sampler { comparison: false } => {
             wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)
         }
+    }
+}
+
+/// The format of a storage texture by its word in WGSL, of those that volumes and images have.
+fn storage_format(word: &str) -> wgpu::TextureFormat {
+    match word {
+        "rgba8unorm" => wgpu::TextureFormat::Rgba8Unorm,
+        "rgba8snorm" => wgpu::TextureFormat::Rgba8Snorm,
+        "rgba32float" => wgpu::TextureFormat::Rgba32Float,
+        _ => wgpu::TextureFormat::Rgba16Float,
     }
 }
 
@@ -360,8 +369,8 @@ fn nothing(gpu: &Gpu, kind: &BindingKind) -> Held {
         BindingKind::Texture { dim, .. } => {
             (*dim, wgpu::TextureFormat::Rgba16Float, wgpu::TextureUsages::TEXTURE_BINDING)
         }
-        BindingKind::StorageTexture { dim, .. } => {
-            (*dim, wgpu::TextureFormat::Rgba16Float, wgpu::TextureUsages::STORAGE_BINDING)
+        BindingKind::StorageTexture { dim, format, .. } => {
+            (*dim, storage_format(format), wgpu::TextureUsages::STORAGE_BINDING)
         }
         BindingKind::Uniform { size } => {
             let zeroes = vec![0; *size as usize];

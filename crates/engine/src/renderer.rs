@@ -45,6 +45,27 @@ pub enum Passes {
     All,
 }
 
+/// Values that an encoding could not hold and clamped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfRange {
+    /// How many texels had one.
+    pub values: u32,
+    /// The largest, without its sign.
+    pub worst: f32,
+    /// The largest that the encoding holds.
+    pub range: f32,
+}
+
+impl std::fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let OutOfRange { values, worst, range } = self;
+        write!(
+            f,
+            "{values} texels out of the encoding's range of {range} were clamped; the largest value is {worst}"
+        )
+    }
+}
+
 impl<'g> Renderer<'g> {
     /// Uploads the scene, makes the plan's resources and compiles its programs. Voxelizes once to learn how much
     /// memory the occupied voxels need.
@@ -462,6 +483,17 @@ impl<'g> Renderer<'g> {
         encoder.copy_buffer_to_buffer(buffer, 0, &read, 0, buffer.size());
         self.gpu.guarded("reading a buffer", || self.gpu.queue.submit([encoder.finish()]))?;
         self.gpu.read(&read).map(Some)
+    }
+
+    /// What the volume's encoding could not hold in the last frame; `None` where it could hold everything.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn out_of_range(&self) -> Result<Option<OutOfRange>, Error> {
+        let Some(bytes) = self.buffer("out_of_range")? else { return Ok(None) };
+        let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+        let (values, worst) = (word(0), f32::from_bits(word(4)));
+        Ok((values > 0).then_some(OutOfRange { values, worst, range: self.plan.encoding.range() }))
     }
 
     /// Bytes of each of the plan's resources.

@@ -232,8 +232,8 @@ pub(crate) fn create(
                 wgpu::BufferDescriptor { label: Some(name), size: bytes, usage, mapped_at_creation: false };
             gpu.guarded(name, || gpu.device.create_buffer(&descriptor)).map(Object::Buffer)
         }
-        ResourceKind::Volume { size, mips, encoding } => {
-            let format = volume_format(encoding);
+        ResourceKind::Volume { size, mips, encoding, signed } => {
+            let format = volume_format(encoding, signed);
             texture(size, mips, wgpu::TextureDimension::D3, format, wgpu::TextureUsages::STORAGE_BINDING)
         }
         ResourceKind::Image { texel, layers } => {
@@ -265,9 +265,13 @@ pub(crate) fn create(
 /// The least that WebGPU renders to: a pass must have a target.
 pub(crate) const RASTER_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-fn volume_format(encoding: Encoding) -> wgpu::TextureFormat {
+/// As the aliases in wgsl/encoding/ say.
+fn volume_format(encoding: Encoding, signed: bool) -> wgpu::TextureFormat {
     match encoding {
+        Encoding::Rgba8 { .. } if signed => wgpu::TextureFormat::Rgba8Snorm,
+        Encoding::Rgba8 { .. } => wgpu::TextureFormat::Rgba8Unorm,
         Encoding::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        Encoding::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
     }
 }
 

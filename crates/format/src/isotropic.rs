@@ -4,7 +4,7 @@
 //! `rgba16float`, 8/7 of that with its levels. A wall between two rooms shows each room the mean of both sides
 //! (RAU figure 5.6).
 
-use crate::{Levels, StorageFormat, Volume};
+use crate::{Choices, Levels, StorageFormat, Volume};
 
 /// See the module.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +23,7 @@ impl StorageFormat for Isotropic {
         "format/isotropic"
     }
 
-    fn volumes(&self) -> &[Volume] {
-        &[Volume { name: "base", levels: Levels::All, blocks: 1 }]
+    fn volumes(&self, _: &Choices) -> Vec<Volume> {
+        vec![Volume { name: "base", levels: Levels::All, blocks: 1, signed: false }]
     }
 }

@@ -11,12 +11,14 @@ use std::sync::Arc;
 
 mod encoding;
 mod isotropic;
+mod option;
 mod sh2;
 mod six_face;
 mod volume;
 
 pub use encoding::Encoding;
 pub use isotropic::Isotropic;
+pub use option::{Choices, FormatOption};
 pub use sh2::Sh2;
 pub use six_face::SixFace;
 pub use volume::{Levels, Volume, level_count};
@@ -32,9 +34,15 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
     /// Path of the folder of its WGSL modules in the shader library, such as `format/isotropic`.
     fn modules(&self) -> &str;
 
-    /// The 3D textures that it keeps. WGSL reads each under its name, writes its level 0 under
-    /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`.
-    fn volumes(&self) -> &[Volume];
+    /// What can be chosen about it.
+    fn options(&self) -> &[FormatOption] {
+        &[]
+    }
+
+    /// The 3D textures that it keeps with these choices. WGSL reads each under its name, writes its level 0 under
+    /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`; variables of group 2
+    /// that belong to none of them are bound to a texture of one texel of zeroes.
+    fn volumes(&self, choices: &Choices) -> Vec<Volume>;
 }
 
 /// The formats to choose from.
@@ -65,22 +73,34 @@ impl Formats {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
-    /// One shared level 0, directions from level 1 up.
+    /// MiB of a format with an option's word, at 128³ and `rgba16float`.
+    fn mebibytes(name: &str, base: &str) -> f64 {
+        let formats = Formats::builtin();
+        let format = formats.get(name).unwrap();
+        let mut choices = Choices::default();
+        format.options().iter().take(1).for_each(|option| choices.choose(option, base));
+        let volumes = format.volumes(&choices);
+        let bytes: u64 = volumes.iter().map(|v| v.bytes([128; 3], Encoding::Rgba16Float)).sum();
+        bytes as f64 / f64::from(1 << 20)
+    }
+
+    /// 8 bytes a texel: 16 MiB a block of level 0 and, from level 1 up, 16/7 MiB a block less the last level's rounding.
     #[test]
     fn bytes_at_128() {
-        let formats = Formats::builtin();
-        let mebibytes = |name| {
-            let volumes = formats.get(name).map(StorageFormat::volumes).unwrap_or_default();
-            let bytes: u64 = volumes.iter().map(|v| v.bytes([128; 3], Encoding::Rgba16Float)).sum();
-            bytes as f64 / f64::from(1 << 20)
-        };
-        // 8 bytes a texel: 16 MiB of level 0 and, from level 1 up, 16/7 MiB (less the last level's rounding) a block.
-        assert!((mebibytes("isotropic") - 18.2857).abs() < 1e-3, "{}", mebibytes("isotropic"));
-        assert!((mebibytes("six_face") - 29.714).abs() < 2e-3, "{}", mebibytes("six_face"));
-        assert!((mebibytes("sh2") - 25.1428).abs() < 2e-3, "{}", mebibytes("sh2"));
+        for (name, base, expected) in [
+            ("isotropic", "", 128.0 / 7.0),
+            ("six_face", "isotropic", 16.0 + 6.0 * 16.0 / 7.0),
+            ("six_face", "cosine", 6.0 * 128.0 / 7.0),
+            ("sh2", "isotropic", 16.0 + 4.0 * 16.0 / 7.0),
+            ("sh2", "lobe", 4.0 * 128.0 / 7.0),
+        ] {
+            let got = mebibytes(name, base);
+            assert!((got - expected).abs() < 2e-3, "{name} {base}: {got}, {expected}");
+        }
     }
 
     #[test]

@@ -27,9 +27,22 @@ pub struct Volume {
     pub levels: Levels,
     /// Blocks along z.
     pub blocks: u32,
+    /// Whether it holds numbers below zero.
+    pub signed: bool,
 }
 
 impl Volume {
+    /// The volumes of a format whose blocks begin at level 1, over a level 0 called `base` that is the same from all
+    /// sides, or else at level 0.
+    pub fn directional(name: &'static str, blocks: u32, signed: bool, isotropic_base: bool) -> Vec<Volume> {
+        if isotropic_base {
+            let base = Volume { name: "base", levels: Levels::Finest, blocks: 1, signed: false };
+            vec![base, Volume { name, levels: Levels::Coarser, blocks, signed }]
+        } else {
+            vec![Volume { name, levels: Levels::All, blocks, signed }]
+        }
+    }
+
     /// The grid's level that is the texture's mip level 0.
     pub fn first_level(&self) -> u32 {
         match self.levels {

@@ -13,10 +13,7 @@ pub fn explain(plan: &Plan) -> String {
     let _ = writeln!(
         text,
         "{} {} · grid {x} × {y} × {z}, voxels of {:.4} · {width} × {height} pixels · {} triangles\n",
-        plan.format,
-        plan.encoding.name(),
-        plan.grid.voxel_size,
-        plan.triangles
+        plan.format, plan.encoding, plan.grid.voxel_size, plan.triangles
     );
     let _ = writeln!(text, "passes");
     for pass in &plan.passes {
@@ -71,7 +68,7 @@ fn shape(plan: &Plan, kind: &ResourceKind) -> String {
     match kind {
         ResourceKind::Scene => String::new(),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
-        ResourceKind::Volume { size: [x, y, z], mips, encoding } => {
+        ResourceKind::Volume { size: [x, y, z], mips, encoding, .. } => {
             format!("{x} × {y} × {z} {}, {}", encoding.name(), count(*mips, "level"))
         }
         ResourceKind::Image { layers, .. } => {

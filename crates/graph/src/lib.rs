@@ -14,6 +14,7 @@ mod params;
 mod pipeline;
 mod plan;
 mod planner;
+mod variant;
 
 pub use expand::voxelize::DEFAULT_METHOD;
 pub use explain::explain;
@@ -25,3 +26,4 @@ pub use plan::{
     Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target, Vertices,
 };
 pub use planner::{Request, plan};
+pub use variant::check_variant;

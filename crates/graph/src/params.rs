@@ -163,10 +163,12 @@ fn encode(shader: &Shader, field: &Field, value: &Value, scale: f64) -> Option<V
     match (field.ty.as_str(), value) {
         ("f32", Value::Number(n)) => float(*n),
         ("u32", Value::Word(word)) => {
-            let (_, n) = words(shader, field).into_iter().find(|(name, _)| name == word)?;
+            let (_, n) = words(shader, &field.name).into_iter().find(|(name, _)| name == word)?;
             Some(n.to_le_bytes().to_vec())
         }
-        ("u32", Value::Number(n)) if words(shader, field).is_empty() && n.fract() == 0.0 && *n >= 0.0 => {
+        ("u32", Value::Number(n))
+            if words(shader, &field.name).is_empty() && n.fract() == 0.0 && *n >= 0.0 =>
+        {
             range(field).is_none_or(|r| r.holds(*n)).then(|| (*n as u32).to_le_bytes().to_vec())
         }
         ("i32", Value::Number(n)) if n.fract() == 0.0 => Some((*n as i32).to_le_bytes().to_vec()),
@@ -180,8 +182,8 @@ fn encode(shader: &Shader, field: &Field, value: &Value, scale: f64) -> Option<V
 }
 
 /// Words that stand for a `u32`: the shader's constants called `<FIELD>_<WORD>`.
-fn words(shader: &Shader, field: &Field) -> Vec<(String, u32)> {
-    let prefix = format!("{}_", field.name.to_uppercase());
+pub(crate) fn words(shader: &Shader, field: &str) -> Vec<(String, u32)> {
+    let prefix = format!("{}_", field.to_uppercase());
     let constants = shader.module.constants.iter().filter_map(|(_, constant)| {
         let word = constant.name.as_ref()?.strip_prefix(&prefix)?.to_lowercase();
         match shader.module.global_expressions[constant.init] {
@@ -194,7 +196,7 @@ fn words(shader: &Shader, field: &Field) -> Vec<(String, u32)> {
 
 /// What a field takes, in words.
 fn describe(shader: &Shader, field: &Field) -> String {
-    let words = words(shader, field);
+    let words = words(shader, &field.name);
     if !words.is_empty() {
         return one_of(words.iter().map(|(word, _)| word.as_str()));
     }

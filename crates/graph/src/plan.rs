@@ -8,7 +8,7 @@ use crate::grid::Grid;
 /// All that an engine needs to carry out a pipeline on a scene. Indices point into the lists beside them.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Name of the storage format.
+    /// Word of the storage format, with the options that differ from its defaults.
     pub format: String,
     /// Its texel encoding.
     pub encoding: Encoding,
@@ -60,6 +60,8 @@ pub enum ResourceKind {
         mips: u32,
         /// Texel encoding.
         encoding: Encoding,
+        /// Whether it holds numbers below zero.
+        signed: bool,
     },
     /// A texture of the screen's size.
     Image {
@@ -262,7 +264,7 @@ impl Plan {
             ResourceKind::Buffer(bytes) => *bytes,
             ResourceKind::PerVoxel(bytes) => bytes * voxels,
             ResourceKind::PerCell(bytes) => bytes * cells,
-            ResourceKind::Volume { size, mips, encoding } => volume_bytes(*size, *mips, *encoding),
+            ResourceKind::Volume { size, mips, encoding, .. } => volume_bytes(*size, *mips, *encoding),
             ResourceKind::Image { texel, layers } => width * height * u64::from(*layers) * texel.bytes(),
             ResourceKind::Raster { side } => u64::from(*side).pow(2),
             ResourceKind::ShadowMaps { size, layers } => u64::from(*size).pow(2) * u64::from(*layers) * 4,

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::path::{Component, Path};
 
 use voxlume_fault::{Fault, Faults, Source, suggest};
-use voxlume_format::{Encoding, Formats};
+use voxlume_format::Formats;
 use voxlume_shader::Library;
 
 use crate::expand::voxel_view::VOLUME_CHANNELS;
-use crate::expand::{self, Context, Expansion};
+use crate::expand::{self, Context, Expansion, Storage};
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::kind::{KINDS, Kind, SURFACE_IMAGES};
@@ -16,13 +16,14 @@ use crate::limits;
 use crate::order::{Makers, order};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
 use crate::plan::{LeftOut, Pass, Plan};
+use crate::variant;
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// Storage format.
+    /// Storage format with its options: `sh2:mip=projected`.
     pub format: Option<String>,
-    /// Texel encoding.
+    /// Texel encoding with its options: `rgba8:range=8`.
     pub encoding: Option<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Option<u32>,
@@ -32,13 +33,23 @@ pub struct Request {
     pub set: Vec<(String, String, Value)>,
     /// Width and height of the image in pixels.
     pub screen: [u32; 2],
+    /// Whether the device can filter textures of 32-bit floats.
+    pub filters_float32: bool,
 }
 
 impl Request {
     /// An image of this size, everything else as the pipeline's file says.
     pub fn image(width: u32, height: u32) -> Request {
         let screen = [width, height];
-        Request { format: None, encoding: None, resolution: None, output: None, set: Vec::new(), screen }
+        Request {
+            format: None,
+            encoding: None,
+            resolution: None,
+            output: None,
+            set: Vec::new(),
+            screen,
+            filters_float32: false,
+        }
     }
 }
 
@@ -70,15 +81,8 @@ pub fn plan(
     let library = with_own_effects(&pipeline, library, &mut faults);
     let pipeline = &pipeline;
 
-    let names: Vec<&str> = formats.iter().map(|format| format.name()).collect();
-    let format = formats.get(&pipeline.format.value);
-    if format.is_none() {
-        faults.push(unknown(pipeline, "storage format", &pipeline.format, &names));
-    }
-    let encoding = Encoding::ALL.into_iter().find(|encoding| encoding.name() == pipeline.encoding.value);
-    if encoding.is_none() {
-        faults.push(unknown(pipeline, "encoding", &pipeline.encoding, &Encoding::ALL.map(Encoding::name)));
-    }
+    let format = variant::format(pipeline, formats, &mut faults);
+    let encoding = variant::encoding(pipeline, &mut faults);
     if !["conservative", "thin"].contains(&pipeline.separability.value.as_str()) {
         faults.push(unknown(pipeline, "separability", &pipeline.separability, &["conservative", "thin"]));
     }
@@ -96,15 +100,17 @@ pub fn plan(
         faults.push(unknown(pipeline, "output", &pipeline.output, &made));
     }
     let ordered = faults.gather(order(pipeline, &makers));
-    let (Some(format), Some(encoding), Some(ordered), true) = (format, encoding, ordered, faults.is_empty())
+    let (Some((format, choices)), Some(encoding), Some(ordered), true) =
+        (format, encoding, ordered, faults.is_empty())
     else {
         return Err(faults);
     };
 
     let area_lights = uses_area_lights(pipeline, facts);
     let grid = Grid::new(pipeline.resolution.value, pipeline.extent, facts.bounds);
-    let mut context =
-        Context::new(pipeline, facts, format, encoding, grid, request.screen, library, area_lights);
+    let storage = Storage::new(format, choices, encoding, request.filters_float32);
+    let plan_format = storage.word();
+    let mut context = Context::new(pipeline, facts, storage, grid, request.screen, library, area_lights);
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();
     for index in ordered.into_iter().filter(|index| live.contains(index)) {
@@ -145,7 +151,7 @@ pub fn plan(
     let Context { shaders, resources, left_out, faults, grid, .. } = context;
     let Some(output) = output.filter(|_| faults.is_empty()) else { return Err(faults) };
     Ok(Plan {
-        format: format.name().to_owned(),
+        format: plan_format,
         encoding,
         grid,
         screen: request.screen,

@@ -19,7 +19,7 @@ pub fn csv(results: &Results) -> String {
             row.height.to_string(),
         ];
         match &row.outcome {
-            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
+            Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 let optional = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
                 fields.extend([
                     total_ms.to_string(),
@@ -31,7 +31,7 @@ pub fn csv(results: &Results) -> String {
                     error.p99.to_string(),
                     error.flip.to_string(),
                     error.reference_se.to_string(),
-                    error.note().map(|note| note.to_string()).unwrap_or_default(),
+                    field(&row.outcome.note()),
                     String::new(),
                 ]);
             }

@@ -27,5 +27,5 @@ pub use metric::{Errors, Note};
 pub use page::{Strip, page};
 pub use pareto::pareto_front;
 pub use picture::{PictureError, png, signed_error};
-pub use results::{Device, Outcome, Pass, Results, ResultsError, Row, SCHEMA};
+pub use results::{Device, OutOfRange, Outcome, Pass, Results, ResultsError, Row, SCHEMA};
 pub use table::table;

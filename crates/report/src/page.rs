@@ -100,10 +100,13 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
     let series = series(results);
     let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
     for row in results.rows.iter().filter(|row| (row.scene.as_str(), row.effect.as_str()) == group) {
-        let Outcome::Measured { passes: _, total_ms, volume_bytes, error } = &row.outcome else { continue };
+        let Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } = &row.outcome else {
+            continue;
+        };
         let place =
             series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
-        let note = error.note().map(|note| format!(" ({note})")).unwrap_or_default();
+        let note = Some(row.outcome.note()).filter(|note| !note.is_empty());
+        let note = note.map(|note| format!(" ({note})")).unwrap_or_default();
         let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
             list.push(Point {
                 series: place,

@@ -64,6 +64,9 @@ pub enum Outcome {
         total_ms: f64,
         /// Bytes of the storage format's 3D textures.
         volume_bytes: u64,
+        /// What the encoding could not hold, if anything.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        out_of_range: Option<OutOfRange>,
         /// Against the reference.
         error: Errors,
     },
@@ -72,6 +75,26 @@ pub enum Outcome {
         /// Why.
         fault: String,
     },
+}
+
+/// Values that an encoding clamped.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OutOfRange {
+    /// Texels with such a value.
+    pub texels: u32,
+    /// The largest, without its sign.
+    pub worst: f32,
+}
+
+impl Outcome {
+    /// What to keep in mind about the figures; empty where there is nothing.
+    pub fn note(&self) -> String {
+        let Outcome::Measured { out_of_range, error, .. } = self else { return String::new() };
+        let clamped = out_of_range
+            .map(|OutOfRange { texels, worst }| format!("{texels} texels clamped (worst value {worst})"));
+        let noise = error.note().map(|note| note.to_string());
+        clamped.into_iter().chain(noise).collect::<Vec<_>>().join("; ")
+    }
 }
 
 /// A pass's time over the frames.
@@ -148,6 +171,7 @@ pub(crate) mod tests {
                 }],
                 total_ms,
                 volume_bytes: 4096,
+                out_of_range: None,
                 error: Errors {
                     rmse,
                     rel_mse: Some(0.5),

@@ -37,9 +37,9 @@ pub fn table(results: &Results) -> String {
             row.resolution.to_string(),
         ];
         let note = match &row.outcome {
-            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
+            Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 cells.extend(figures(*total_ms, *volume_bytes, error));
-                error.note().map(|note| note.to_string()).unwrap_or_default()
+                row.outcome.note()
             }
             Outcome::Failed { fault } => format!("failed: {}", fault.lines().next().unwrap_or_default()),
         };

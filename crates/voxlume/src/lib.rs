@@ -16,12 +16,12 @@
 //! # }
 //! ```
 
-pub use voxlume_engine::{Clock, Error, Gpu, PassTime, Passes, Picture, Renderer};
+pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
-pub use voxlume_format::{Encoding, Formats, Levels, StorageFormat, Volume};
+pub use voxlume_format::{Choices, Encoding, FormatOption, Formats, Levels, StorageFormat, Volume};
 pub use voxlume_graph::{
     DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, Request, ResourceKind,
-    SURFACE_IMAGES, SceneFacts, Step, Value, explain, plan,
+    SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -1,6 +1,6 @@
 // Isotropic sampling: quadrilinear, direction ignored (RAU §5.2.1).
 
-import package::common::volume_sampler::volume_sampler;
+import package::common::volume::sample_volume;
 
 // Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
 // that it leaves.
@@ -9,5 +9,5 @@ const VOXEL_ONE_SIDED = false;
 @group(2) @binding(1) var base: texture_3d<f32>;
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    return textureSampleLevel(base, volume_sampler, uvw, level);
+    return sample_volume(base, uvw, level);
 }

@@ -1,7 +1,10 @@
 // Isotropic: one premultiplied radiance and opacity a voxel, the same for every direction (RAU §5.1.1).
 
-@group(2) @binding(8) var base_level0: texture_storage_3d<rgba16float, write>;
+import package::common::volume::store_volume;
+import package::encoding::VolumeTarget;
+
+@group(2) @binding(8) var base_level0: VolumeTarget;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
-    textureStore(base_level0, cell, vec4f(radiance * opacity, opacity));
+    store_volume(base_level0, cell, vec4f(radiance * opacity, opacity));
 }

@@ -1,7 +1,23 @@
-// 2-band spherical harmonics: level 0 is isotropic; coefficients begin at level 1.
+// 2-band spherical harmonics: level 0 is isotropic and coefficients begin at level 1, or at level 0.
 
-@group(2) @binding(8) var base_level0: texture_storage_3d<rgba16float, write>;
+import package::common::volume::{block_texel, store_signed_volume, store_volume};
+import package::encoding::{SignedVolumeTarget, VolumeTarget};
+import package::format::basis::COEFFICIENTS;
+import package::format::lobe::voxel_lobe;
+import package::format::options::{BASE, BASE_ISOTROPIC};
+
+@group(2) @binding(8) var base_level0: VolumeTarget;
+@group(2) @binding(9) var harmonics_level0: SignedVolumeTarget;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
-    textureStore(base_level0, cell, vec4f(radiance * opacity, opacity));
+    let value = vec4f(radiance * opacity, opacity);
+    if (BASE == BASE_ISOTROPIC) {
+        store_volume(base_level0, cell, value);
+        return;
+    }
+    let depth = textureDimensions(harmonics_level0).z;
+    var c = voxel_lobe(cell, value);
+    for (var k = 0u; k < COEFFICIENTS; k++) {
+        store_signed_volume(harmonics_level0, block_texel(cell, k, COEFFICIENTS, depth), c[k]);
+    }
 }

@@ -1,22 +1,25 @@
 // Six-face mipmapping: along each axis the child nearer to the observer composites over the farther, then
-// the four columns average (RAU §5.3.2, DVS §3). Level 1 parts level 0 by the voxels' normals: a surface covers,
+// the four columns average (RAU §5.3.2, DVS §3). Level 1 parts an isotropic level 0 by the voxels' normals: a surface covers,
 // and shows its light, at its front.
 
 import package::common::attributes::voxel_surface;
+import package::common::volume::{block_texel, load_volume, store_volume};
 import package::common::voxels::{is_occupied, voxel_slot};
+import package::encoding::VolumeTarget;
 import package::format::faces::{FACES, face_of};
+import package::format::options::{BASE, BASE_ISOTROPIC};
 
-// Level 0, where it is the level below; else the faces of the level below.
+// Level 0, where it is the level below and isotropic; else the faces of the level below.
 @group(2) @binding(1) var base_source: texture_3d<f32>;
 @group(2) @binding(2) var faces_source: texture_3d<f32>;
-@group(2) @binding(9) var faces_target: texture_storage_3d<rgba16float, write>;
+@group(2) @binding(9) var faces_target: VolumeTarget;
 
 fn child(cell: vec3u, level: u32, axis: u32, side: u32) -> vec4f {
-    if (level > 1) {
-        let depth = textureDimensions(faces_source).z / FACES;
-        return textureLoad(faces_source, cell + vec3u(0, 0, face_of(axis, side == 1) * depth), 0);
+    if (level > 1 || BASE != BASE_ISOTROPIC) {
+        let depth = textureDimensions(faces_source).z;
+        return load_volume(faces_source, block_texel(cell, face_of(axis, side == 1), FACES, depth));
     }
-    let value = textureLoad(base_source, cell, 0);
+    let value = load_volume(base_source, cell);
     if (value.a <= 0.0 || !is_occupied(cell, 0)) {
         return vec4f(0.0);
     }
@@ -25,7 +28,7 @@ fn child(cell: vec3u, level: u32, axis: u32, side: u32) -> vec4f {
 }
 
 fn voxel_mipmap(cell: vec3u, level: u32) {
-    let depth = textureDimensions(faces_target).z / FACES;
+    let depth = textureDimensions(faces_target).z;
     for (var axis = 0u; axis < 3; axis++) {
         // The children by their place along the axis; the other two coordinates give four columns.
         let along = vec3u(select(0u, 1u, axis == 0), select(0u, 1u, axis == 1), select(0u, 1u, axis == 2));
@@ -39,7 +42,7 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
                 let far = child(low + along * side, level, axis, side);
                 sum += near + (1.0 - near.a) * far;
             }
-            textureStore(faces_target, cell + vec3u(0, 0, face_of(axis, side == 1) * depth), sum / 4.0);
+            store_volume(faces_target, block_texel(cell, face_of(axis, side == 1), FACES, depth), sum / 4.0);
         }
     }
 }

@@ -6,13 +6,10 @@ use voxlume::{Faults, Formats, KINDS, Kind, Library, Pipeline, Request, SceneFac
 /// Plans a pipeline with every format for scenes that need all of it. A fault may come several times.
 pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
     let mut faults = Faults::default();
-    for format in formats.iter() {
-        let mut request =
-            Request { format: Some(format.name().to_owned()), set: used(pipeline), ..Request::image(64, 64) };
-        // The file's own word is checked as well.
-        if !formats.iter().any(|known| known.name() == pipeline.format.value) {
-            request.format = None;
-        }
+    // The file's own word is checked as well.
+    let words = std::iter::once(None).chain(formats.iter().map(|format| Some(format.name().to_owned())));
+    for format in words {
+        let request = Request { format, set: used(pipeline), ..Request::image(64, 64) };
         let mut planned = |request: &Request, facts: &SceneFacts| {
             faults.gather(plan(pipeline, facts, formats, library, request))
         };

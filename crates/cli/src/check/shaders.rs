@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use voxlume::{Faults, Formats, Library, Source, check_all};
+use voxlume::{Encoding, Faults, Formats, Library, Source, check_all};
 
 /// Checks all built-in modules with these files in their places.
 pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Library) -> Faults {
@@ -21,10 +21,19 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Libr
         rounds[free].1.insert(module);
     }
     let formats: Vec<&str> = formats.iter().map(|format| format.modules()).collect();
+    let encodings: Vec<&str> = [true, false]
+        .into_iter()
+        .flat_map(|filters| Encoding::ALL.map(|encoding| encoding.module(filters)))
+        .collect();
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
         let (effects, visitors) = (folder("effect/"), folder("visitor/"));
-        let alternatives = [("format", &formats[..]), ("effect", &effects), ("visitor", &visitors)];
+        let alternatives = [
+            ("format", &formats[..]),
+            ("encoding", &encodings),
+            ("effect", &effects),
+            ("visitor", &visitors),
+        ];
         faults.extend(check_all(library, &alternatives));
     }
     faults

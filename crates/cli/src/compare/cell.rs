@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, one_of};
+use voxlume::{
+    Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, check_variant, one_of,
+};
 use voxlume_fault::suggest;
 use voxlume_reference::cache::SceneDigest;
 
@@ -41,7 +43,10 @@ impl Cell {
     /// The stem of its files.
     pub fn stem(&self, subjects: &[Subject]) -> String {
         let Cell { subject, effect, format, encoding, resolution } = self;
-        format!("{}-{}-{format}-{encoding}-{resolution}", subjects[*subject].label, effect.name())
+        let label = &subjects[*subject].label;
+        // Options have characters that files' names can't have everywhere.
+        let [format, encoding] = [format, encoding].map(|word| word.replace(':', "+"));
+        format!("{label}-{}-{format}-{encoding}-{resolution}", effect.name())
     }
 }
 
@@ -60,6 +65,14 @@ pub fn cells(
     } else {
         words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
     };
+    if faults.is_empty() {
+        for format in &formats {
+            faults.gather(check_variant(pipeline, known, format, Encoding::Rgba16Float.name()));
+        }
+        for encoding in &encodings {
+            faults.gather(check_variant(pipeline, known, names[0], encoding));
+        }
+    }
     let all_effects = Effect::ALL.map(Effect::name);
     let effects = words("effect", &args.effects, &all_effects, &mut faults);
     let effects: Vec<Effect> =
@@ -120,8 +133,10 @@ fn words(what: &str, given: &[String], known: &[&str], faults: &mut Faults) -> V
     }
     let mut words: Vec<String> = Vec::new();
     for word in given {
-        if !known.contains(&word.as_str()) {
-            let label = suggest(word, known.iter().copied());
+        // Options follow the name.
+        let name = word.split(':').next().unwrap_or_default();
+        if !known.contains(&name) {
+            let label = suggest(name, known.iter().copied());
             faults.push(Fault::new(format!("unknown {what} `{word}`")).note(format!("{label}, or all")));
         } else if !words.contains(word) {
             words.push(word.clone());

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use voxlume::{Camera, Error, Gpu, Passes, Picture, Plan, Renderer, ResourceKind, Scene};
-use voxlume_report::Pass;
+use voxlume_report::{OutOfRange, Pass};
 
 use crate::timing::Frames;
 
@@ -16,6 +16,7 @@ pub struct Measured {
     pub passes: Vec<Pass>,
     pub total_ms: f64,
     pub volume_bytes: u64,
+    pub out_of_range: Option<OutOfRange>,
 }
 
 /// Renders one frame of warm-up and `repeat` more.
@@ -43,8 +44,11 @@ pub fn measure(
     };
     let volume_bytes =
         renderer.bytes().iter().filter(|(name, _)| is_volume(name)).map(|(_, bytes)| bytes).sum();
+    let clamped = renderer.out_of_range()?;
+    let out_of_range = clamped.map(|clamped| OutOfRange { texels: clamped.values, worst: clamped.worst });
     // Depth is reversed: 0 is infinitely far.
     let surface = renderer.picture("depth")?.pixels.iter().map(|pixel| pixel[0] > 0.0).collect();
     let picture = renderer.picture(&plan.resources[plan.output].name)?;
-    Ok(Measured { picture, surface, passes: frames.passes(), total_ms: frames.total().0, volume_bytes })
+    let (passes, total_ms) = (frames.passes(), frames.total().0);
+    Ok(Measured { picture, surface, passes, total_ms, volume_bytes, out_of_range })
 }

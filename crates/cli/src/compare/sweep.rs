@@ -137,6 +137,7 @@ impl Sweep<'_> {
             passes: measured.passes,
             total_ms: measured.total_ms,
             volume_bytes: measured.volume_bytes,
+            out_of_range: measured.out_of_range,
             error: judged.errors,
         };
         let reference = format!("{}-{}-reference-{}", subject.label, cell.effect.name(), &truth_key[..8]);
@@ -164,6 +165,7 @@ impl Sweep<'_> {
             encoding: Some(cell.encoding.clone()),
             resolution: Some(cell.resolution),
             output: cell.effect.image(&self.pipeline).map(str::to_owned),
+            filters_float32: self.gpu.filters_float32(),
             ..Request::image(self.args.size[0], self.args.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;

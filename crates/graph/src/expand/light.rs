@@ -3,7 +3,7 @@
 use voxlume_format::Volume;
 
 use super::{Binds, Expansion, groups_for, step_params};
-use crate::plan::{ResourceKind, Target};
+use crate::plan::{ResourceKind, Step, Target};
 
 /// Bytes of a voxel's radiance: four floats.
 const RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
@@ -68,14 +68,14 @@ fn gather(e: &mut Expansion<'_, '_>, direct: usize, bounced: usize, add_direct: 
 /// The format's volumes, made at their first use.
 fn volumes(e: &mut Expansion<'_, '_>) -> Vec<(Volume, usize)> {
     let grid = e.context.grid.size;
-    let encoding = e.context.encoding;
-    let volumes = e.context.format.volumes();
+    let encoding = e.context.storage.encoding;
+    let volumes = e.context.storage.volumes();
     volumes
-        .iter()
+        .into_iter()
         .map(|volume| {
-            let kind =
-                ResourceKind::Volume { size: volume.size(grid), mips: volume.mip_levels(grid), encoding };
-            (*volume, e.context.resource(volume.name, kind))
+            let (size, mips, signed) = (volume.size(grid), volume.mip_levels(grid), volume.signed);
+            let kind = ResourceKind::Volume { size, mips, encoding, signed };
+            (volume, e.context.resource(volume.name, kind))
         })
         .collect()
 }
@@ -87,10 +87,22 @@ fn volume_targets(e: &mut Expansion<'_, '_>) -> Vec<(String, Target)> {
         .collect()
 }
 
+/// The count of values that the encoding can't hold; the first pass of a frame that stores any clears it.
+fn out_of_range(e: &mut Expansion<'_, '_>) -> usize {
+    let known = e.context.known("out_of_range");
+    known.unwrap_or_else(|| {
+        let resource = e.context.resource("out_of_range", ResourceKind::Buffer(8));
+        e.steps.push(Step::Clear(resource));
+        resource
+    })
+}
+
 fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
     let volumes = volumes(e);
     e.uses("volume");
+    let out_of_range = out_of_range(e);
     let mut targets = vec![("slot_radiance".to_owned(), Target::Resource(radiance))];
+    targets.push(("out_of_range".to_owned(), Target::Resource(out_of_range)));
     targets.extend(volumes.iter().filter(|(volume, _)| volume.first_level() == 0).map(
         |(volume, resource)| (format!("{}_level0", volume.name), Target::Mip { resource: *resource, mip: 0 }),
     ));
@@ -104,7 +116,7 @@ fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
 
     let grid = e.context.grid.size;
     for level in 1..e.context.grid.levels() {
-        let mut targets = Vec::new();
+        let mut targets = vec![("out_of_range".to_owned(), Target::Resource(out_of_range))];
         for (volume, resource) in &volumes {
             let view = |level: u32| {
                 if volume.has_level(level, grid) {

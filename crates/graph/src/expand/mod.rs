@@ -10,13 +10,13 @@ pub(crate) mod voxelize;
 use std::collections::{BTreeMap, BTreeSet};
 
 use voxlume_fault::Faults;
-use voxlume_format::{Encoding, StorageFormat};
+use voxlume_format::{Choices, Encoding, StorageFormat, Volume};
 use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
 
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::kind::{Kind, SURFACE_IMAGES};
-use crate::params::Params;
+use crate::params::{Params, words};
 use crate::pipeline::{PassEntry, Pipeline};
 use crate::plan::{Bind, LeftOut, Program, Resource, ResourceKind, Step, Target};
 
@@ -51,12 +51,54 @@ const VOXELS: [&str; 12] = [
     "occupancy_before",
 ];
 
+/// `@group` of the storage format's variables.
+const VOLUME_GROUP: u32 = 2;
+
+/// A storage format with all that is chosen about it.
+pub(crate) struct Storage<'a> {
+    format: &'a dyn StorageFormat,
+    choices: Choices,
+    pub encoding: Encoding,
+    filters_float32: bool,
+}
+
+impl<'a> Storage<'a> {
+    pub fn new(
+        format: &'a dyn StorageFormat,
+        choices: Choices,
+        encoding: Encoding,
+        filters_float32: bool,
+    ) -> Storage<'a> {
+        Storage { format, choices, encoding, filters_float32 }
+    }
+
+    pub fn volumes(&self) -> Vec<Volume> {
+        self.format.volumes(&self.choices)
+    }
+
+    /// `sh2:mip=projected`
+    pub fn word(&self) -> String {
+        format!("{}{}", self.format.name(), self.choices)
+    }
+
+    fn mounts(&self) -> Vec<(&str, &str)> {
+        vec![("format", self.format.modules()), ("encoding", self.encoding.module(self.filters_float32))]
+    }
+
+    /// The value of a shader's `override` that is an option: that of its constant `<OPTION>_<WORD>`.
+    fn option(&self, shader: &Shader, name: &str) -> Option<f64> {
+        let option = self.format.options().iter().find(|option| option.name.to_uppercase() == name)?;
+        let words = words(shader, name);
+        let (_, value) = words.into_iter().find(|(word, _)| word == self.choices.word(option))?;
+        Some(f64::from(value))
+    }
+}
+
 /// What planning builds up.
 pub(crate) struct Context<'a> {
     pub pipeline: &'a Pipeline,
     pub facts: &'a SceneFacts,
-    pub format: &'a dyn StorageFormat,
-    pub encoding: Encoding,
+    pub storage: Storage<'a>,
     pub grid: Grid,
     pub screen: [u32; 2],
     pub library: Library,
@@ -79,12 +121,10 @@ pub(crate) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    #[expect(clippy::too_many_arguments, reason = "the one place where a context is made")]
     pub fn new(
         pipeline: &'a Pipeline,
         facts: &'a SceneFacts,
-        format: &'a dyn StorageFormat,
-        encoding: Encoding,
+        storage: Storage<'a>,
         grid: Grid,
         screen: [u32; 2],
         library: Library,
@@ -93,8 +133,7 @@ impl<'a> Context<'a> {
         Context {
             pipeline,
             facts,
-            format,
-            encoding,
+            storage,
             grid,
             screen,
             library,
@@ -131,7 +170,7 @@ impl<'a> Context<'a> {
         if let Some(shader) = self.linked.get(&key) {
             return Some(*shader);
         }
-        let mut mounts = vec![("format", self.format.modules())];
+        let mut mounts = self.storage.mounts();
         mounts.extend(mount);
         let checked = link(&self.library, entry, &mounts).and_then(voxlume_shader::Linked::check);
         let shader = self.faults.gather(checked)?;
@@ -142,8 +181,8 @@ impl<'a> Context<'a> {
 
     /// Checks an effect's module by itself, so that faults point into it.
     pub fn effect(&mut self, module: &str) -> Option<()> {
-        let mounts = [("format", self.format.modules())];
-        let checked = link(&self.library, module, &mounts).and_then(voxlume_shader::Linked::check);
+        let checked =
+            link(&self.library, module, &self.storage.mounts()).and_then(voxlume_shader::Linked::check);
         let shader = self.faults.gather(checked)?;
         self.faults.gather(shader.fulfils(&EFFECT, module))
     }
@@ -164,6 +203,7 @@ impl<'a> Context<'a> {
             ("HAS_AREA", flag(self.area_lights)),
             ("CONSERVATIVE", flag(self.pipeline.separability.value == "conservative")),
             ("ATTRIBUTE_STRIDE", f64::from(self.attribute_stride())),
+            ("ENCODING_RANGE", f64::from(self.storage.encoding.range())),
         ]
     }
 
@@ -285,7 +325,8 @@ impl<'c, 'a> Expansion<'c, 'a> {
                     let image = item.name.strip_prefix("HAS_")?.to_lowercase();
                     Some(f64::from(u8::from(self.reads(&image) && self.context.available.contains(&image))))
                 };
-                Some((item.name.clone(), value.or_else(image)?))
+                let option = || self.context.storage.option(&self.context.shaders[shader], &item.name);
+                Some((item.name.clone(), value.or_else(option).or_else(image)?))
             })
             .collect()
     }
@@ -303,10 +344,14 @@ impl<'c, 'a> Expansion<'c, 'a> {
         if name == "params" {
             return self.uniform(shader);
         }
-        let volumes = self.context.format.volumes();
+        let volume = self.context.storage.volumes().iter().any(|volume| volume.name == name);
+        if binding.group == VOLUME_GROUP && !volume {
+            // What another choice of the format's options would have.
+            return Some(Target::Nothing);
+        }
         let group = if VOXELS.contains(&name) {
             "voxels"
-        } else if volumes.iter().any(|volume| volume.name == name) {
+        } else if volume {
             "volume"
         } else if SURFACE_IMAGES.contains(&name) {
             "surface"

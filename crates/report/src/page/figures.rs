@@ -21,7 +21,7 @@ pub(super) fn table(html: &mut String, results: &Results) {
         }
         let _ = write!(html, "<td data-value=\"{0}\">{0}</td>", row.resolution);
         match &row.outcome {
-            Outcome::Measured { passes: _, total_ms, volume_bytes, error } => {
+            Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 let values = [
                     Some(*total_ms),
                     Some(*volume_bytes as f64),
@@ -37,7 +37,7 @@ pub(super) fn table(html: &mut String, results: &Results) {
                     let value = value.map(|value| value.to_string()).unwrap_or_default();
                     let _ = write!(html, "<td data-value=\"{value}\">{}</td>", escape(text));
                 }
-                let note = error.note().map(|note| note.to_string()).unwrap_or_default();
+                let note = row.outcome.note();
                 let _ = write!(html, "<td>{}</td>", escape(&note));
             }
             Outcome::Failed { fault } => {

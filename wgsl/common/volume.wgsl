@@ -1,0 +1,35 @@
+// Volumes, whatever their encoding: the one way to their texels. Positions are [0, 1]³, levels the texture's own.
+// A volume may hold several blocks, one above the other along z.
+
+import package::encoding::{SignedVolumeTarget, VolumeTarget, decode_texel, encode_texel, filter_volume};
+
+fn store_volume(volume: VolumeTarget, texel: vec3u, value: vec4f) {
+    textureStore(volume, texel, encode_texel(value));
+}
+
+// Of a volume that holds numbers below zero.
+fn store_signed_volume(volume: SignedVolumeTarget, texel: vec3u, value: vec4f) {
+    textureStore(volume, texel, encode_texel(value));
+}
+
+// A texel of the level that is bound.
+fn load_volume(volume: texture_3d<f32>, texel: vec3u) -> vec4f {
+    return decode_texel(textureLoad(volume, texel, 0));
+}
+
+// Linear in space and between levels, clamped at the borders.
+fn sample_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
+    return decode_texel(filter_volume(volume, uvw, level));
+}
+
+fn sample_block(volume: texture_3d<f32>, block: u32, blocks: u32, uvw: vec3f, level: f32) -> vec4f {
+    // Half a texel from the block's ends, so that the filter never mixes two blocks.
+    let half_texel = 0.5 * exp2(ceil(level)) * f32(blocks) / f32(textureDimensions(volume).z);
+    let w = clamp(uvw.z, half_texel, 1.0 - half_texel);
+    return sample_volume(volume, vec3f(uvw.xy, (f32(block) + w) / f32(blocks)), level);
+}
+
+// A cell's place in a block of a level with so many texels along z.
+fn block_texel(cell: vec3u, block: u32, blocks: u32, depth: u32) -> vec3u {
+    return cell + vec3u(0, 0, block * (depth / blocks));
+}

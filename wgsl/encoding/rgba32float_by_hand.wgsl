@@ -1,0 +1,37 @@
+// Four floats a texel, on devices that don't filter them: sixteen loads do what `volume_sampler` would.
+
+alias VolumeTarget = texture_storage_3d<rgba32float, write>;
+alias SignedVolumeTarget = texture_storage_3d<rgba32float, write>;
+
+fn encode_texel(value: vec4f) -> vec4f {
+    return value;
+}
+
+fn decode_texel(texel: vec4f) -> vec4f {
+    return texel;
+}
+
+fn filter_level(volume: texture_3d<f32>, uvw: vec3f, level: i32) -> vec4f {
+    let last = vec3i(textureDimensions(volume, level)) - 1;
+    let p = uvw * vec3f(last + 1) - 0.5;
+    let low = vec3i(floor(p));
+    let share = p - floor(p);
+    var sum = vec4f(0.0);
+    for (var i = 0; i < 8; i++) {
+        let corner = vec3i(i & 1, (i >> 1) & 1, i >> 2);
+        let weights = select(1.0 - share, share, corner == vec3i(1));
+        let texel = textureLoad(volume, clamp(low + corner, vec3i(0), last), level);
+        sum += weights.x * weights.y * weights.z * texel;
+    }
+    return sum;
+}
+
+fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
+    let clamped = clamp(level, 0.0, f32(textureNumLevels(volume) - 1));
+    let fine = i32(clamped);
+    let value = filter_level(volume, uvw, fine);
+    if (f32(fine) == clamped) {
+        return value;
+    }
+    return mix(value, filter_level(volume, uvw, fine + 1), clamped - f32(fine));
+}

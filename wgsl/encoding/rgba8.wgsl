@@ -1,0 +1,23 @@
+// Four bytes a texel: RGB is a share of a declared range (RAU §5.1.3), alpha one of 1. Signed numbers have 127
+// steps to either side, so that zero, which is what an untouched texel holds, is exact.
+
+import package::common::out_of_range::clamp_to_range;
+import package::common::volume_sampler::volume_sampler;
+
+alias VolumeTarget = texture_storage_3d<rgba8unorm, write>;
+alias SignedVolumeTarget = texture_storage_3d<rgba8snorm, write>;
+
+override ENCODING_RANGE: f32 = 4.0;
+
+fn encode_texel(value: vec4f) -> vec4f {
+    let range = vec4f(vec3f(ENCODING_RANGE), 1.0);
+    return clamp_to_range(value, range) / range;
+}
+
+fn decode_texel(texel: vec4f) -> vec4f {
+    return texel * vec4f(vec3f(ENCODING_RANGE), 1.0);
+}
+
+fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
+    return textureSampleLevel(volume, volume_sampler, uvw, level);
+}
