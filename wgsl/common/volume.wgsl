@@ -1,16 +1,7 @@
-// Volumes, whatever their encoding: the one way to their texels. Positions are [0, 1]³, levels the texture's own.
+// Volumes, whatever their encoding, as they are read; what writes one encodes the texel first. Positions are [0, 1]³, levels the texture's own.
 // A volume may hold several blocks, one above the other along z.
 
-import package::encoding::{SignedVolumeTarget, VolumeTarget, decode_texel, encode_texel, filter_volume};
-
-fn store_volume(volume: VolumeTarget, texel: vec3u, value: vec4f) {
-    textureStore(volume, texel, encode_texel(value));
-}
-
-// Of a volume that holds numbers below zero.
-fn store_signed_volume(volume: SignedVolumeTarget, texel: vec3u, value: vec4f) {
-    textureStore(volume, texel, encode_texel(value));
-}
+import package::encoding::{decode_texel, filter_volume};
 
 // A texel of the level that is bound.
 fn load_volume(volume: texture_3d<f32>, texel: vec3u) -> vec4f {

@@ -3,8 +3,8 @@
 // is as opaque as along the axis on which its children cover the most.
 
 import package::common::coverage::composite_coverage;
-import package::common::volume::{load_volume, store_volume};
-import package::encoding::VolumeTarget;
+import package::common::volume::load_volume;
+import package::encoding::{VolumeTarget, encode_texel};
 
 @group(2) @binding(1) var base_source: texture_3d<f32>;
 @group(2) @binding(8) var base_target: VolumeTarget;
@@ -19,5 +19,5 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
     }
     let coverage = composite_coverage(opacity);
     let most = max(coverage.x, max(coverage.y, coverage.z));
-    store_volume(base_target, cell, vec4f(sum.rgb * (most / max(sum.a, 1e-6)), most));
+    textureStore(base_target, cell, encode_texel(vec4f(sum.rgb * (most / max(sum.a, 1e-6)), most)));
 }

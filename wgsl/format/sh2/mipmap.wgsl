@@ -3,8 +3,8 @@
 // Level 1 makes coefficients of an isotropic level 0.
 
 import package::common::coverage::composite_coverage;
-import package::common::volume::{block_texel, load_volume, store_signed_volume};
-import package::encoding::SignedVolumeTarget;
+import package::common::volume::{block_texel, load_volume};
+import package::encoding::{SignedVolumeTarget, encode_texel};
 import package::format::basis::{COEFFICIENTS, SixOpacities, decode_opacity, encode_opacity, mean_opacity};
 import package::format::lobe::voxel_lobe;
 import package::format::options::{BASE, BASE_ISOTROPIC, MIP, MIP_PROJECTED};
@@ -54,6 +54,6 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
     let scale = mean_opacity(alpha) / max(weight, 1e-6);
     let depth = textureDimensions(harmonics_target).z;
     for (var k = 0u; k < COEFFICIENTS; k++) {
-        store_signed_volume(harmonics_target, block_texel(cell, k, COEFFICIENTS, depth), vec4f(sum[k] * scale, alpha[k]));
+        textureStore(harmonics_target, block_texel(cell, k, COEFFICIENTS, depth), encode_texel(vec4f(sum[k] * scale, alpha[k])));
     }
 }

@@ -1,7 +1,7 @@
 // 2-band spherical harmonics: level 0 is isotropic and coefficients begin at level 1, or at level 0.
 
-import package::common::volume::{block_texel, store_signed_volume, store_volume};
-import package::encoding::{SignedVolumeTarget, VolumeTarget};
+import package::common::volume::block_texel;
+import package::encoding::{SignedVolumeTarget, VolumeTarget, encode_texel};
 import package::format::basis::COEFFICIENTS;
 import package::format::lobe::voxel_lobe;
 import package::format::options::{BASE, BASE_ISOTROPIC};
@@ -12,12 +12,12 @@ import package::format::options::{BASE, BASE_ISOTROPIC};
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
     let value = vec4f(radiance * opacity, opacity);
     if (BASE == BASE_ISOTROPIC) {
-        store_volume(base_level0, cell, value);
+        textureStore(base_level0, cell, encode_texel(value));
         return;
     }
     let depth = textureDimensions(harmonics_level0).z;
     var c = voxel_lobe(cell, value);
     for (var k = 0u; k < COEFFICIENTS; k++) {
-        store_signed_volume(harmonics_level0, block_texel(cell, k, COEFFICIENTS, depth), c[k]);
+        textureStore(harmonics_level0, block_texel(cell, k, COEFFICIENTS, depth), encode_texel(c[k]));
     }
 }

@@ -3,9 +3,9 @@
 // and shows its light, at its front.
 
 import package::common::attributes::voxel_surface;
-import package::common::volume::{block_texel, load_volume, store_volume};
+import package::common::volume::{block_texel, load_volume};
 import package::common::voxels::{is_occupied, voxel_slot};
-import package::encoding::VolumeTarget;
+import package::encoding::{VolumeTarget, encode_texel};
 import package::format::faces::{FACES, face_of};
 import package::format::options::{BASE, BASE_ISOTROPIC};
 
@@ -42,7 +42,7 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
                 let far = child(low + along * side, level, axis, side);
                 sum += near + (1.0 - near.a) * far;
             }
-            store_volume(faces_target, block_texel(cell, face_of(axis, side == 1), FACES, depth), sum / 4.0);
+            textureStore(faces_target, block_texel(cell, face_of(axis, side == 1), FACES, depth), encode_texel(sum / 4.0));
         }
     }
 }

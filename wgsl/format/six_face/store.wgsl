@@ -1,8 +1,8 @@
 // Six-face: level 0 is isotropic and shared by all faces, which part from level 1 up (DVS §1.1); or the faces
 // begin at level 0, by the surface's normal (RAU §5.1.2).
 
-import package::common::volume::{block_texel, store_volume};
-import package::encoding::VolumeTarget;
+import package::common::volume::block_texel;
+import package::encoding::{VolumeTarget, encode_texel};
 import package::format::faces::FACES;
 import package::format::options::{BASE, BASE_DOMINANT, BASE_ISOTROPIC, BASE_WEIGHTED, EMPTY, EMPTY_BLACK, EMPTY_FILL};
 
@@ -27,7 +27,7 @@ fn face_weight(normal: vec3f, face: u32) -> f32 {
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
     let value = vec4f(radiance * opacity, opacity);
     if (BASE == BASE_ISOTROPIC) {
-        store_volume(base_level0, cell, value);
+        textureStore(base_level0, cell, encode_texel(value));
         return;
     }
     let depth = textureDimensions(faces_level0).z;
@@ -39,6 +39,6 @@ fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
         } else if (weight == 0.0 && EMPTY == EMPTY_FILL) {
             seen = value;
         }
-        store_volume(faces_level0, block_texel(cell, face, FACES, depth), seen);
+        textureStore(faces_level0, block_texel(cell, face, FACES, depth), encode_texel(seen));
     }
 }
