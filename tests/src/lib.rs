@@ -1,12 +1,14 @@
 //! Helpers that the tests share: a device, scenes made in memory, the voxel substrate as read back from the
 //! device, and what it should be, worked out in `f64`.
 
+mod kernel;
 mod overlap;
 mod random;
 mod render;
 mod scenes;
 mod substrate;
 
+pub use kernel::{noise_volume, run_kernel};
 pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
 pub use random::Random;
 pub use render::{gi, gpu, picture, plan_for, render, root};

@@ -1,6 +1,8 @@
-// A voxel's attributes, decoded from their fixed-point sums: weight, weight of double-sided surfaces, reflectance,
-// the normals' positive and negative parts, emission, and last, where it counts, the area that triangles cover.
+// A voxel's attributes, decoded from their fixed-point sums: weight, weight of double-sided surfaces, reflectance (one
+// packed word unless it is summed), the normals' positive and negative parts, emission, and last, where it counts, the
+// area that triangles cover.
 
+import package::common::conflict::{CONFLICT, CONFLICT_SUM, unpack_reflectance};
 import package::common::frame::frame;
 
 @group(1) @binding(4) var<storage, read> attributes: array<u32>;
@@ -35,6 +37,9 @@ fn voxel_surface(slot: u32) -> VoxelSurface {
     var s: VoxelSurface;
     s.double_sided = f32(attributes[first + 1]) * per_weight;
     s.albedo = attribute_vector(first + 2) * per_weight;
+    if (CONFLICT != CONFLICT_SUM) {
+        s.albedo = unpack_reflectance(attributes[first + 2]);
+    }
     let positive = attribute_vector(first + 5) * per_weight;
     let negative = attribute_vector(first + 8) * per_weight;
     let sum = positive - negative;

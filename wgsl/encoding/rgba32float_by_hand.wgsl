@@ -26,12 +26,22 @@ fn filter_level(volume: texture_3d<f32>, uvw: vec3f, level: i32) -> vec4f {
     return sum;
 }
 
-fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
-    let clamped = clamp(level, 0.0, f32(textureNumLevels(volume) - 1));
-    let fine = i32(clamped);
-    let value = filter_level(volume, uvw, fine);
-    if (f32(fine) == clamped) {
-        return value;
+// What a level has to say at a place between levels.
+fn filter_share(volume: texture_3d<f32>, uvw: vec3f, place: f32, level: i32) -> vec4f {
+    let weight = 1.0 - abs(f32(level) - place);
+    if (weight <= 0.0) {
+        return vec4f(0.0);
     }
-    return mix(value, filter_level(volume, uvw, fine + 1), clamped - f32(fine));
+    return weight * filter_level(volume, uvw, level);
+}
+
+fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
+    let place = clamp(level, 0.0, f32(textureNumLevels(volume) - 1));
+    // Each level in its own words, though at most two count: Mesa 22.3's llvmpipe loads every lane's texels from the
+    // level of the first lane, which may have left the loop that calls this. 512 voxels have ten levels.
+    return filter_share(volume, uvw, place, 0) + filter_share(volume, uvw, place, 1)
+        + filter_share(volume, uvw, place, 2) + filter_share(volume, uvw, place, 3)
+        + filter_share(volume, uvw, place, 4) + filter_share(volume, uvw, place, 5)
+        + filter_share(volume, uvw, place, 6) + filter_share(volume, uvw, place, 7)
+        + filter_share(volume, uvw, place, 8) + filter_share(volume, uvw, place, 9);
 }

@@ -2,6 +2,7 @@
 // the voxel's slot. Sums are fixed-point integers: the same bits whatever the order.
 
 import package::common::clipped_area::clipped_area;
+import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average_reflectance, pack_reflectance};
 import package::common::frame::frame;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
@@ -42,6 +43,23 @@ fn add_vector(first: u32, value: vec3f) {
     add(first + 2, value.z);
 }
 
+fn add_reflectance(first: u32, reflectance: vec3f, weight: f32) {
+    if (CONFLICT == CONFLICT_SUM) {
+        add_vector(first, reflectance * weight);
+    } else if (CONFLICT == CONFLICT_MAX) {
+        atomicMax(&attributes[first], pack_reflectance(reflectance, 255));
+    } else {
+        var known = atomicLoad(&attributes[first]);
+        loop {
+            let swap = atomicCompareExchangeWeak(&attributes[first], known, average_reflectance(known, reflectance));
+            if (swap.exchanged) {
+                break;
+            }
+            known = swap.old_value;
+        }
+    }
+}
+
 fn visit(visitor: Visitor, cell: vec3u) {
     // The two passes over the triangles may round differently at a voxel's edge: the bitmask decides.
     if (!is_occupied(cell, 0)) {
@@ -58,7 +76,7 @@ fn visit(visitor: Visitor, cell: vec3u) {
     let first = voxel_slot(cell) * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
-    add_vector(first + 2, clamp(total_reflectance(color.rgb, metallic), vec3f(0.0), vec3f(1.0)) * weight);
+    add_reflectance(first + 2, saturate(total_reflectance(color.rgb, metallic)), weight);
     // Positive and negative parts have words of their own.
     let n = fragment_normal(visitor.corners, f, material) * weight;
     let negative = select(vec3u(0), vec3u(3), n < vec3f(0.0));

@@ -89,6 +89,12 @@ pub const KINDS: &[Kind] = &[
                 sentence: "opacity of a voxel: 1, or the area that triangles cover of its face; `binary` unless given",
                 values: Values::Words(&["binary", "area"]),
             },
+            ParamWords {
+                name: "conflict",
+                sentence: "a voxel's reflectance where triangles meet: their mean, the largest packed word, or a mean \
+                           that depends on the order; `sum` unless given",
+                values: Values::Words(&["sum", "max", "running_average"]),
+            },
         ],
         expand: expand::voxelize::voxelize,
     },

@@ -56,8 +56,8 @@ pub(crate) fn format<'f>(
     let mut choices = Choices::default();
     for (name, word) in &variant.options {
         let Some(option) = format.options().iter().find(|option| option.name == name.text) else {
-            let what = format!("option of `{}`", format.name());
-            faults.push(unknown(pipeline, &what, name, format.options().iter().map(|option| option.name)));
+            let known = format.options().iter().map(|option| option.name);
+            faults.push(unknown(pipeline, &format!("option of `{}`:", format.name()), name, known));
             continue;
         };
         match word {
@@ -65,8 +65,8 @@ pub(crate) fn format<'f>(
             word => {
                 let message = format!("unknown `{}` of `{}`", option.name, format.name());
                 let place = word.as_ref().unwrap_or(name);
-                let label = format!("{}: {}", one_of(option.words.iter().copied()), option.summary);
-                faults.push(pipeline.fault(&place.span, message, label));
+                let label = one_of(option.words.iter().copied());
+                faults.push(pipeline.fault(&place.span, message, label).note(option.summary));
             }
         }
     }
@@ -97,7 +97,7 @@ pub(crate) fn encoding(pipeline: &Pipeline, faults: &mut Faults) -> Option<Encod
                 }
             }
             (_, _) => {
-                let what = format!("option of `{}`", encoding.name());
+                let what = format!("option of `{}`:", encoding.name());
                 let known = matches!(encoding, Encoding::Rgba8 { .. }).then_some("range");
                 faults.push(unknown(pipeline, &what, name, known));
             }

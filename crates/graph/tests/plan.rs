@@ -241,6 +241,7 @@ fn the_cornell_box_explained() {
       attributes         buffer                                    44 B × occupied voxels
       radiance           buffer                                    16 B × occupied voxels
       base               128 × 128 × 128 rgba16float, 8 levels     18.29 MiB
+      out_of_range       buffer                                    8 B
       depth              512 × 512 image, 1 layer                  1.00 MiB
       albedo             512 × 512 image, 1 layer                  1.00 MiB
       normal             512 × 512 image, 1 layer                  2.00 MiB

@@ -20,10 +20,10 @@ pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Pictur
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
 pub use voxlume_format::{Choices, Encoding, FormatOption, Formats, Levels, StorageFormat, Volume};
 pub use voxlume_graph::{
-    DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, Request, ResourceKind,
-    SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan,
+    DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, Request, Resource,
+    ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};
-pub use voxlume_shader::{Library, check_all};
+pub use voxlume_shader::{Library, Linked, check_all, link};
 pub use wgpu;

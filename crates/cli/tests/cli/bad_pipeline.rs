@@ -37,7 +37,7 @@ fn unknown_words_of_the_file_all_at_once() {
     let folder = Folder::new();
     folder.file(
         "pipe.ron",
-        PIPELINE.replace("isotropic", "isotropi").replace("16float", "8").replace("32", "33"),
+        PIPELINE.replace("isotropic", "isotropi").replace("16float", "9").replace("32", "33"),
     );
     folder.refuses(
         RENDER,
@@ -49,11 +49,11 @@ error: unknown storage format `isotropi`
 2 │     format: "isotropi",
   │             ^^^^^^^^^^ did you mean `isotropic`? one of: isotropic, six_face, sh2
 
-error: unknown encoding `rgba8`
+error: unknown encoding `rgba9`
   ┌─ pipe.ron:3:15
   │
-3 │     encoding: "rgba8",
-  │               ^^^^^^^ one of: rgba16float
+3 │     encoding: "rgba9",
+  │               ^^^^^^^ did you mean `rgba8`? one of: rgba8, rgba16float, rgba32float
 
 error: a grid of 33 × 33 × 33 voxels
   ┌─ pipe.ron:4:17

@@ -106,7 +106,7 @@ error: unknown storage format `sh3`
  = did you mean `sh2`? one of: isotropic, six_face, sh2, or all
 
 error: unknown encoding `rgba`
- = one of: rgba16float, or all
+ = did you mean `rgba8`? one of: rgba8, rgba16float, rgba32float, or all
 
 error: unknown effect `ao`
  = one of: soft_shadow, ambient_occlusion, diffuse, specular, final, or all

@@ -85,12 +85,10 @@ impl<'a> Storage<'a> {
         vec![("format", self.format.modules()), ("encoding", self.encoding.module(self.filters_float32))]
     }
 
-    /// The value of a shader's `override` that is an option: that of its constant `<OPTION>_<WORD>`.
-    fn option(&self, shader: &Shader, name: &str) -> Option<f64> {
+    /// The word chosen for the option whose `override` has this name.
+    fn word_of(&self, name: &str) -> Option<&'static str> {
         let option = self.format.options().iter().find(|option| option.name.to_uppercase() == name)?;
-        let words = words(shader, name);
-        let (_, value) = words.into_iter().find(|(word, _)| word == self.choices.word(option))?;
-        Some(f64::from(value))
+        Some(self.choices.word(option))
     }
 }
 
@@ -103,6 +101,8 @@ pub(crate) struct Context<'a> {
     pub screen: [u32; 2],
     pub library: Library,
     pub area_lights: bool,
+    /// How voxels join the reflectances of triangles.
+    pub conflict: &'static str,
     /// Names in the graph that some planned pass makes.
     pub available: BTreeSet<String>,
     /// Images of `surface` that some planned pass, or the output, uses.
@@ -138,6 +138,7 @@ impl<'a> Context<'a> {
             screen,
             library,
             area_lights,
+            conflict: "sum",
             available: BTreeSet::new(),
             surface_images: BTreeSet::new(),
             shaders: Vec::new(),
@@ -325,8 +326,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
                     let image = item.name.strip_prefix("HAS_")?.to_lowercase();
                     Some(f64::from(u8::from(self.reads(&image) && self.context.available.contains(&image))))
                 };
-                let option = || self.context.storage.option(&self.context.shaders[shader], &item.name);
-                Some((item.name.clone(), value.or_else(option).or_else(image)?))
+                let word = || match item.name.as_str() {
+                    "CONFLICT" => Some(self.context.conflict),
+                    name => self.context.storage.word_of(name),
+                };
+                let word = || word_value(&self.context.shaders[shader], &item.name, word()?);
+                Some((item.name.clone(), value.or_else(word).or_else(image)?))
             })
             .collect()
     }
@@ -412,6 +417,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
         }
         self.uniform.clone()
     }
+}
+
+/// What a word stands for in an `override`: the value of the shader's constant `<NAME>_<WORD>`.
+fn word_value(shader: &Shader, name: &str, word: &str) -> Option<f64> {
+    let (_, value) = words(shader, name).into_iter().find(|(known, _)| known == word)?;
+    Some(f64::from(value))
 }
 
 /// The uniform that says which repetition of a pass this is.

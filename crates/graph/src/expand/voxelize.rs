@@ -58,6 +58,8 @@ fn words(count: u32) -> ResourceKind {
 pub(crate) fn voxelize(e: &mut Expansion<'_, '_>) {
     let coverage = e.params.word_or(e.kind, "coverage", "binary", &mut e.context.faults);
     e.context.coverage = coverage == Some("area");
+    let conflict = e.params.word_or(e.kind, "conflict", "sum", &mut e.context.faults);
+    e.context.conflict = conflict.unwrap_or_default();
     let Some(method) = method(e) else { return };
     let triangles = e.context.facts.triangles;
     let moving = e.context.facts.moving_triangles;

@@ -27,12 +27,65 @@ fn encoding() {
       ┌─ p.ron:3:15
       │
     3 │     encoding: "rgba16",
-      │               ^^^^^^^^ one of: rgba16float
+      │               ^^^^^^^^ did you mean `rgba8`? one of: rgba8, rgba16float, rgba32float
     "#);
     assert_snapshot!(message_for(&[], &Request { encoding: Some("RGBA16Float".into()), ..request() }), @r#"
     error: unknown encoding `RGBA16Float`
-     = did you mean `rgba16float`? one of: rgba16float
+     = did you mean `rgba16float`? one of: rgba8, rgba16float, rgba32float
     "#);
+}
+
+#[test]
+fn format_options() {
+    assert_snapshot!(message(&[(r#""six_face""#, r#""sh2:mop=projected:negatives=keep""#)]), @r#"
+    error: unknown option of `sh2`: `mop`
+      ┌─ p.ron:2:18
+      │
+    2 │     format: "sh2:mop=projected:negatives=keep",
+      │                  ^^^ did you mean `mip`? one of: base, mip, negatives
+
+    error: unknown `negatives` of `sh2`
+      ┌─ p.ron:2:42
+      │
+    2 │     format: "sh2:mop=projected:negatives=keep",
+      │                                          ^^^^ one of: clamp, window
+      = radiance below zero: cut off (clamp), or avoided by less of band 1 (window)
+    "#);
+    assert_snapshot!(message(&[(r#""six_face""#, r#""isotropic:base=lobe""#)]), @r#"
+    error: unknown option of `isotropic`: `base`
+      ┌─ p.ron:2:24
+      │
+    2 │     format: "isotropic:base=lobe",
+      │                        ^^^^ it has none
+    "#);
+    assert_snapshot!(message_for(&[], &Request { format: Some("sh2:base".into()), ..request() }), @r#"
+    error: unknown `base` of `sh2`
+     = one of: isotropic, lobe
+     = level 0: one value for all directions (isotropic), or the coefficients of a one-sided emitter (lobe)
+    "#);
+}
+
+#[test]
+fn encoding_options() {
+    assert_snapshot!(message(&[(r#""rgba16float""#, r#""rgba8:range=-1""#)]), @r#"
+    error: unknown `range` of `rgba8`
+      ┌─ p.ron:3:28
+      │
+    3 │     encoding: "rgba8:range=-1",
+      │                            ^^ a number in (0, 65504]: the largest premultiplied radiance or coefficient
+    "#);
+    assert_snapshot!(message(&[(r#""rgba16float""#, r#""rgba32float:range=2""#)]), @r#"
+    error: unknown option of `rgba32float`: `range`
+      ┌─ p.ron:3:28
+      │
+    3 │     encoding: "rgba32float:range=2",
+      │                            ^^^^^ it has none
+    "#);
+    assert_snapshot!(message_for(&[], &Request { encoding: Some("rgba8:rang=2".into()), ..request() }), @r#"
+    error: unknown option of `rgba8`: `rang`
+     = did you mean `range`? one of: range
+    "#);
+    assert_eq!(message(&[(r#""rgba16float""#, r#""rgba8:range=2.5""#)]), "no fault");
 }
 
 #[test]

@@ -1,0 +1,119 @@
+//! Small WGSL programs over the repository's modules, run for what they write.
+#![allow(clippy::panic)]
+
+use voxlume::{Library, Source, link, wgpu};
+use wgpu::util::DeviceExt;
+
+use crate::gpu;
+
+/// Links a WGSL text, whose entry point `main` takes one workgroup and writes `@group(0) @binding(0) var<storage,
+/// read_write> out: array<f32>`, and runs it. A texture is bound to `@group(1) @binding(0)` and a linear sampler to
+/// `@group(2) @binding(0)`, if they are used.
+///
+/// # Panics
+/// The text is at fault, or the device.
+pub fn run_kernel(
+    text: &str,
+    mounts: &[(&str, &str)],
+    constants: &[(&str, f64)],
+    texture: Option<&wgpu::Texture>,
+    count: usize,
+) -> Vec<f32> {
+    let mut library = Library::builtin();
+    library.insert("kernel", Source::new("kernel.wgsl", text));
+    let shader = link(&library, "kernel", mounts).and_then(voxlume::Linked::check);
+    let shader = shader.unwrap_or_else(|faults| panic!("{faults}"));
+    let device = &gpu().device;
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: None,
+        source: wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into()),
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &module,
+        entry_point: Some("main"),
+        compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+        cache: None,
+    });
+    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+    let contents = vec![0; count * 4];
+    let out = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: None,
+        contents: &contents,
+        usage,
+    });
+    let view = texture.map(|texture| texture.create_view(&Default::default()));
+    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        ..Default::default()
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        let resources = [
+            Some(out.as_entire_binding()),
+            view.as_ref().map(wgpu::BindingResource::TextureView),
+            Some(wgpu::BindingResource::Sampler(&sampler)),
+        ];
+        for (group, resource) in (0..).zip(resources) {
+            let used = shader.bindings("main").iter().any(|binding| binding.group == group);
+            let Some(resource) = resource.filter(|_| used) else { continue };
+            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipeline.get_bind_group_layout(group),
+                entries: &[wgpu::BindGroupEntry { binding: 0, resource }],
+            });
+            pass.set_bind_group(group, &bind_group, &[]);
+        }
+        pass.dispatch_workgroups(1, 1, 1);
+    }
+    let read = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: out.size(),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    encoder.copy_buffer_to_buffer(&out, 0, &read, 0, out.size());
+    gpu()
+        .guarded("a kernel", || gpu().queue.submit([encoder.finish()]))
+        .unwrap_or_else(|error| panic!("{error}"));
+    let bytes = gpu().read(&read).unwrap_or_else(|error| panic!("{error}"));
+    bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+}
+
+/// A 3D texture of 32-bit floats with all its levels, filled with noise.
+pub fn noise_volume(side: u32) -> wgpu::Texture {
+    let device = &gpu().device;
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: side },
+        mip_level_count: side.ilog2() + 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D3,
+        format: wgpu::TextureFormat::Rgba32Float,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    let mut random = crate::Random::new(5);
+    for mip in 0..texture.mip_level_count() {
+        let size = texture.size().mip_level_size(mip, wgpu::TextureDimension::D3);
+        let texels = size.width * size.height * size.depth_or_array_layers;
+        let bytes: Vec<u8> =
+            (0..4 * texels).flat_map(|_| (random.between(0.0, 1.0) as f32).to_le_bytes()).collect();
+        gpu().queue.write_texture(
+            wgpu::TexelCopyTextureInfo { mip_level: mip, ..texture.as_image_copy() },
+            &bytes,
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(16 * size.width),
+                rows_per_image: Some(size.height),
+            },
+            size,
+        );
+    }
+    texture
+}
