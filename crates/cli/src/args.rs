@@ -12,7 +12,7 @@ pub struct PlanArgs {
     /// Scene file: .ron, .gltf or .glb
     pub scene: PathBuf,
 
-    /// Name of a built-in pipeline (gi), or a .ron file
+    /// Name of a built-in pipeline (gi, rauwendaal), or a .ron file
     #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
     pub pipeline: String,
 

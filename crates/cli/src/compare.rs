@@ -70,7 +70,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 
-    /// Name of a built-in pipeline (gi), or a .ron file
+    /// Name of a built-in pipeline (gi, rauwendaal), or a .ron file
     #[arg(long, value_name = "NAME|FILE", default_value = "gi")]
     pipeline: String,
 

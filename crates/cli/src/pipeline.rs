@@ -6,8 +6,10 @@ use voxlume::{Fault, Faults, Pipeline, Source};
 use voxlume_fault::suggest;
 
 /// Pipelines that the program carries: name, file, text.
-pub const BUILTIN: [(&str, &str, &str); 1] =
-    [("gi", "pipelines/gi.ron", include_str!("../../../pipelines/gi.ron"))];
+pub const BUILTIN: [(&str, &str, &str); 2] = [
+    ("gi", "pipelines/gi.ron", include_str!("../../../pipelines/gi.ron")),
+    ("rauwendaal", "pipelines/rauwendaal.ron", include_str!("../../../pipelines/rauwendaal.ron")),
+];
 
 /// The built-in pipeline of that name, or the one in a `.ron` file.
 pub fn load(name: &str) -> Result<Pipeline, Faults> {
