@@ -1,7 +1,8 @@
 //! What formats' options do, where it is known on paper.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use voxlume_tests::{gpu, noise_volume, run_kernel};
+use voxlume::{Request, Value};
+use voxlume_tests::{built_in, gi, gpu, noise_volume, picture, render, run_kernel};
 
 const OUT: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n";
 
@@ -105,4 +106,22 @@ fn faces_get_their_share_of_a_normal() {
     }
     // Of equals the first.
     near(face_weights(1.0, "vec3f(0.577, 0.577, 0.577)"), [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+}
+
+/// Levels over occupied voxels alone are those over all cells.
+#[test]
+fn active_cells_are_enough() {
+    for format in ["isotropic", "six_face", "sh2"] {
+        let of = |cells: &str| {
+            let request = Request {
+                format: Some(format.into()),
+                resolution: Some(32),
+                output: Some("diffuse".into()),
+                set: vec![("filter".into(), "cells".into(), Value::Word(cells.into()))],
+                ..Request::image(16, 16)
+            };
+            picture(&render(&gi(), &built_in("cornell.ron"), &request), "diffuse")
+        };
+        assert_eq!(of("active"), of("all"), "{format}");
+    }
 }

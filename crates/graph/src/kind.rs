@@ -150,7 +150,11 @@ pub const KINDS: &[Kind] = &[
         reads: &[VOXELS, port("radiance", "each voxel's outgoing radiance")],
         writes: &[VOLUME],
         updates: &[],
-        words: &[],
+        words: &[ParamWords {
+            name: "cells",
+            sentence: "parents made: those of occupied voxels, or all, which only costs more; `active` unless given",
+            values: Values::Words(&["active", "all"]),
+        }],
         expand: expand::light::filter,
     },
     Kind {

@@ -85,12 +85,13 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     let time = |number: u32| f64::from(number) / fps;
     scene.set_time(time(range.start));
     progress.stage("planning".into());
-    let plan = args.image.plan(registry, &pipeline, &scene)?;
+    args.image.plan(registry, &pipeline, &scene, None)?;
+    let gpu = Gpu::open(args.adapter.as_deref())?;
+    let plan = args.image.plan(registry, &pipeline, &scene, Some(&gpu))?;
     let once: Vec<&str> =
         plan.passes.iter().filter(|pass| pass.once).map(|pass| pass.name.as_str()).collect();
     let once = once.join(", ");
     progress.stage(format!("compiling {} passes", plan.passes.len()));
-    let gpu = Gpu::open(args.adapter.as_deref())?;
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;
     progress.stage("rendering".into());
     renderer.render(&scene, camera(&scene, Some(&name))?, Passes::All)?;

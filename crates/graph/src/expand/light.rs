@@ -29,7 +29,8 @@ pub(crate) fn light(e: &mut Expansion<'_, '_>) {
 pub(crate) fn filter(e: &mut Expansion<'_, '_>) {
     e.uses("radiance");
     let first = e.context.first;
-    store_and_mipmap(e, first);
+    let cells = e.params.word_or(e.kind, "cells", "active", &mut e.context.faults);
+    store_and_mipmap(e, first, cells == Some("all"));
 }
 
 pub(crate) fn bounce(e: &mut Expansion<'_, '_>) {
@@ -41,7 +42,7 @@ pub(crate) fn bounce(e: &mut Expansion<'_, '_>) {
     for _ in 0..bounces.unwrap_or(1) {
         let bounced = e.context.resource("bounced", RADIANCE);
         gather(e, direct, bounced, true);
-        store_and_mipmap(e, bounced);
+        store_and_mipmap(e, bounced, false);
     }
 }
 
@@ -51,7 +52,7 @@ pub(crate) fn emission(e: &mut Expansion<'_, '_>) {
     let gathered = e.context.resource("emitted", RADIANCE);
     let targets = [("direct", Target::Resource(own))];
     e.compute_cells("pass/emission", &Binds { targets: &targets, ..Binds::default() }, 0);
-    store_and_mipmap(e, own);
+    store_and_mipmap(e, own, false);
     gather(e, own, gathered, false);
 }
 
@@ -97,7 +98,8 @@ fn out_of_range(e: &mut Expansion<'_, '_>) -> usize {
     })
 }
 
-fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
+/// Level 0 from every voxel's radiance, and the levels over it: the parents of occupied cells, or all.
+fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize, all_cells: bool) {
     let volumes = volumes(e);
     e.uses("volume");
     let out_of_range = out_of_range(e);
@@ -132,6 +134,11 @@ fn store_and_mipmap(e: &mut Expansion<'_, '_>, radiance: usize) {
             targets.iter().map(|(name, target)| (name.as_str(), target.clone())).collect();
         named.push(step_params(level));
         let binds = Binds { targets: &named, ..Binds::default() };
+        if all_cells {
+            let groups = grid.map(|n| (n >> level).max(1).div_ceil(4));
+            e.compute("pass/mipmap_dense", "main", &binds, groups);
+            continue;
+        }
         e.compute_cells("pass/mipmap", &binds, level);
         if moving {
             let groups = groups_for(e.context.grid.level_words(level), 64);
