@@ -16,7 +16,7 @@ fn all_is_well() {
     let ran = folder.run("check");
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
     assert!(
-        ran.stdout.starts_with("1 pipeline, ") && ran.stdout.ends_with(" WGSL modules: no faults\n"),
+        ran.stdout.starts_with("2 pipelines, ") && ran.stdout.ends_with(" WGSL modules: no faults\n"),
         "{}",
         ran.stdout
     );

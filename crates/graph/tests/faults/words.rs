@@ -49,6 +49,7 @@ fn format_options() {
       │
     2 │     format: "sh2:mop=projected:negatives=keep",
       │                                          ^^^^ one of: clamp, window
+      │
       = radiance below zero: cut off (clamp), or avoided by less of band 1 (window)
     "#);
     assert_snapshot!(message(&[(r#""six_face""#, r#""isotropic:base=lobe""#)]), @r#"
