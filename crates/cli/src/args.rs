@@ -113,7 +113,8 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     sides.ok_or_else(|| "two whole numbers with an `x` between them, such as 640x360".into())
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+/// A time in seconds.
+pub fn seconds(text: &str) -> Result<f64, String> {
     let time = text.parse().ok().filter(|time: &f64| time.is_finite());
     time.ok_or_else(|| "a finite number".into())
 }

@@ -7,7 +7,7 @@ use voxlume::{Picture, Request, Scene, SceneFacts};
 use voxlume_reference::{Error, PixelSampling, Reflection, Tracer};
 
 use crate::Registry;
-use crate::args::size;
+use crate::args::{seconds, size};
 use crate::effect::Effect;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -33,6 +33,10 @@ pub struct Args {
     /// Camera of the scene; the first one unless given
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
+
+    /// Second of the scene's animation to show
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
+    time: f64,
 
     /// What to compute
     #[arg(long, value_enum, default_value = "final")]
@@ -61,7 +65,8 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let files: Vec<(Kind, OutFile)> = files.collect::<Result<_, voxlume::Fault>>()?;
     let mut progress = Progress::new();
     progress.stage(format!("loading {}", args.scene.display()));
-    let scene = Scene::load(&args.scene)?;
+    let mut scene = Scene::load(&args.scene)?;
+    scene.set_time(args.time);
     let camera = camera(&scene, args.camera.as_deref())?.clone();
     let pipeline = pipeline::load("gi")?;
     let [width, height] = args.size;
