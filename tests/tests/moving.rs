@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use glam::{DQuat, DVec3, Vec3};
-use voxlume::scene::{Key, Light, LightKind, Moved, Path};
+use voxlume::scene::{Key, Light, LightKind, Material, Mesh, Moved, Path};
 use voxlume::{Passes, Renderer, Request, Scene, Value};
 use voxlume_tests::{
     Random, Substrate, add, built_in, gi, gpu, picture, plan_for, render, scene_of, soup, span, triangles,
@@ -78,10 +78,16 @@ fn moves(scene: &mut Scene, index: usize, side: f64, keys: Vec<Key>) {
     scene.animation.instances.push(Moved { index, rest, path: Path { keys } });
 }
 
+/// A box with so many random triangles that stay and so many that may move: each a mesh without and one with a mask.
 fn soups(still: usize, moving: usize) -> Scene {
     let mut scene = scene_of(vec![span(29.0)], 29.0);
+    let mask = Material { name: "masked".into(), alpha_cutoff: Some(0.5), ..Material::default() };
+    scene.materials.push(mask);
     for (seed, count) in [(1, still), (2, moving)].into_iter().filter(|(_, count)| *count > 0) {
-        add(&mut scene, triangles(&soup(seed, count, 29.0, (2.0, 12.0))));
+        for material in 0..2 {
+            let mesh = triangles(&soup(2 * seed + material, count / 2, 29.0, (2.0, 12.0)));
+            add(&mut scene, Mesh { material: material as usize, ..mesh });
+        }
     }
     scene
 }
@@ -91,7 +97,8 @@ fn random_triangles_and_memory_that_grows() {
     let mut scene = soups(6, 90);
     // From a speck to all of the grid: more voxels than in the first frame by far.
     let keys = vec![key(0.0, 0.01, 0.0, DVec3::ZERO), key(1.0, 0.9, 1.5, DVec3::new(1.0, 0.0, -1.0))];
-    moves(&mut scene, 2, 29.0, keys);
+    moves(&mut scene, 3, 29.0, keys.clone());
+    moves(&mut scene, 4, 29.0, keys);
     scene.set_time(0.0);
     let few = Substrate::read(&anew(&scene, &request("isotropic"))).levels[0].count;
     scene.set_time(1.0);
@@ -111,7 +118,7 @@ fn random_triangles_and_memory_that_grows() {
 #[test]
 fn a_scene_all_of_which_moves() {
     let mut scene = soups(0, 60);
-    for index in 0..2 {
+    for index in 0..3 {
         moves(&mut scene, index, 29.0, vec![key(0.0, 0.8, 0.0, DVec3::ZERO), key(1.0, 0.8, 2.0, DVec3::ONE)]);
     }
     is_as_anew(&mut scene, &request("isotropic"), &[0.0, 0.5, 1.0]);
@@ -139,7 +146,7 @@ fn a_light_that_moves_leaves_the_voxels_alone() {
 #[test]
 fn another_scene_is_no_update() {
     let mut scene = soups(20, 20);
-    moves(&mut scene, 2, 29.0, vec![key(0.0, 0.5, 0.0, DVec3::ZERO)]);
+    moves(&mut scene, 4, 29.0, vec![key(0.0, 0.5, 0.0, DVec3::ZERO)]);
     let mut renderer = Renderer::new(gpu(), plan_for(&gi(), &scene, &request("isotropic")), &scene).unwrap();
     scene.meshes.last_mut().unwrap().triangles.pop();
     let error = renderer.update(&scene).unwrap_err();
