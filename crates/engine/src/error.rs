@@ -52,7 +52,10 @@ pub enum Error {
     /// The device is gone.
     #[error("the device was lost: {0}")]
     Lost(String),
-    /// An image that the plan doesn't have.
+    /// A buffer that the plan doesn't have.
+    #[error("no buffer is called `{0}`")]
+    NoSuchBuffer(String),
+    /// An image or a volume that the plan doesn't have.
     #[error("no image is called `{name}`; there is: {}", known.join(", "))]
     NoSuchImage {
         /// What was asked for.

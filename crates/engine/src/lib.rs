@@ -8,9 +8,11 @@ mod renderer;
 mod resources;
 mod timing;
 mod upload;
+mod volume;
 
 pub use error::Error;
 pub use gpu::Gpu;
 pub use image::Picture;
 pub use renderer::{OutOfRange, Passes, Renderer};
 pub use timing::{Clock, PassTime};
+pub use volume::Texels;

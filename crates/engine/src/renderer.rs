@@ -14,11 +14,11 @@ use crate::{Error, Gpu, image};
 
 /// A scene on a device, ready to be seen.
 pub struct Renderer<'g> {
-    gpu: &'g Gpu,
+    pub(crate) gpu: &'g Gpu,
     plan: Plan,
     facts: SceneFacts,
     scene: SceneObjects,
-    objects: Vec<Object>,
+    pub(crate) objects: Vec<Object>,
     /// By pass and step; `None` for what is no program.
     ready: Vec<Vec<Option<Ready>>>,
     programs: Programs,

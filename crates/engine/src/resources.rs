@@ -234,7 +234,8 @@ pub(crate) fn create(
         }
         ResourceKind::Volume { size, mips, encoding, signed } => {
             let format = volume_format(encoding, signed);
-            texture(size, mips, wgpu::TextureDimension::D3, format, wgpu::TextureUsages::STORAGE_BINDING)
+            let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_DST;
+            texture(size, mips, wgpu::TextureDimension::D3, format, usage)
         }
         ResourceKind::Image { texel, layers } => {
             let usage = match texel {

@@ -4,7 +4,10 @@
 //! `rgba16float`, 8/7 of that with its levels. A wall between two rooms shows each room the mean of both sides
 //! (RAU figure 5.6).
 
-use crate::{Choices, Levels, StorageFormat, Volume};
+use glam::{DVec3, DVec4, UVec3};
+
+use crate::twin::{Twin, Volumes, children, composite_coverage};
+use crate::{Choices, Levels, Miss, Property, StorageFormat, Volume};
 
 /// See the module.
 #[derive(Clone, Copy, Debug)]
@@ -25,5 +28,38 @@ impl StorageFormat for Isotropic {
 
     fn volumes(&self, _: &Choices) -> Vec<Volume> {
         vec![Volume { name: "base", levels: Levels::All, blocks: 1, signed: false }]
+    }
+
+    fn misses(&self) -> &[Miss] {
+        &[Miss {
+            property: Property::Sides,
+            at: "",
+            size: 0.5,
+            why: "both sides of a wall share one radiance: red and green make yellow (RAU figure 5.6)",
+        }]
+    }
+
+    fn twin(&self) -> Option<&dyn Twin> {
+        Some(self)
+    }
+}
+
+const BASE_VOLUME: usize = 0;
+
+impl Twin for Isotropic {
+    fn voxel_store(&self, volumes: &mut Volumes, cell: UVec3, radiance: DVec3, _: DVec3, opacity: f64) {
+        volumes.level_mut(BASE_VOLUME, 0).store(cell, (radiance * opacity).extend(opacity));
+    }
+
+    fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
+        let child = children(cell).map(|child| volumes.level(BASE_VOLUME, level - 1).load(child));
+        let sum: DVec4 = child.iter().sum();
+        let most = composite_coverage(&child.map(|child| DVec3::splat(child.w))).max_element();
+        let radiance = sum.truncate() * (most / sum.w.max(1e-6));
+        volumes.level_mut(BASE_VOLUME, level).store(cell, radiance.extend(most));
+    }
+
+    fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, _: DVec3) -> DVec4 {
+        volumes.sample(BASE_VOLUME, uvw, level)
     }
 }

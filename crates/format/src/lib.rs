@@ -12,15 +12,19 @@ use std::sync::Arc;
 mod encoding;
 mod isotropic;
 mod option;
+mod property;
 mod sh2;
 mod six_face;
+pub mod twin;
 mod volume;
 
 pub use encoding::Encoding;
 pub use isotropic::Isotropic;
 pub use option::{Choices, FormatOption};
+pub use property::{Miss, Property};
 pub use sh2::Sh2;
 pub use six_face::SixFace;
+pub use twin::Twin;
 pub use volume::{Levels, Volume, level_count};
 
 /// A directional basis for radiance and opacity in voxels.
@@ -43,6 +47,16 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
     /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`; variables of group 2
     /// that belong to none of them are bound to a texture of one texel of zeroes.
     fn volumes(&self, choices: &Choices) -> Vec<Volume>;
+
+    /// What it can't hold by nature with its default choices, and by how much.
+    fn misses(&self) -> &[Miss] {
+        &[]
+    }
+
+    /// The same on the CPU in `f64` with its default choices, for tests to hold the WGSL against.
+    fn twin(&self) -> Option<&dyn Twin> {
+        None
+    }
 }
 
 /// The formats to choose from.

@@ -14,6 +14,7 @@ mod params;
 mod pipeline;
 mod plan;
 mod planner;
+mod probe;
 mod variant;
 
 pub use expand::voxelize::DEFAULT_METHOD;
@@ -26,4 +27,5 @@ pub use plan::{
     Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target, Vertices,
 };
 pub use planner::{Request, plan};
+pub use probe::{ProbeSize, probe};
 pub use variant::check_variant;

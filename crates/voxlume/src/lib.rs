@@ -16,12 +16,15 @@
 //! # }
 //! ```
 
-pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer};
+pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Texels};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
-pub use voxlume_format::{Choices, Encoding, FormatOption, Formats, Levels, StorageFormat, Volume};
+pub use voxlume_format::{
+    Choices, Encoding, FormatOption, Formats, Isotropic, Levels, Miss, Property, Sh2, SixFace, StorageFormat,
+    Twin, Volume, twin,
+};
 pub use voxlume_graph::{
-    DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, Request, Resource,
-    ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan,
+    DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Request,
+    Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan, probe,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};
