@@ -1,12 +1,14 @@
 // Four floats a texel, on devices that filter them.
 
+import package::common::out_of_range::clamp_to_range;
 import package::common::volume_sampler::volume_sampler;
 
 alias VolumeTarget = texture_storage_3d<rgba32float, write>;
 alias SignedVolumeTarget = texture_storage_3d<rgba32float, write>;
 
+// Less than they hold, so that sums of texels stay finite.
 fn encode_texel(value: vec4f) -> vec4f {
-    return value;
+    return clamp_to_range(value, vec4f(1e30));
 }
 
 fn decode_texel(texel: vec4f) -> vec4f {
