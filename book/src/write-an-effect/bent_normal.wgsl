@@ -1,0 +1,33 @@
+// Bent normals: the mean direction from which a surface is open (Landis, "Production-Ready Global Illumination",
+// SIGGRAPH 2002), stored as normal maps are, n/2 + 1/2; alpha is how open it is, [0, 1].
+
+import package::common::basis::basis_around;
+import package::common::cone::{ConeSettings, cone_trace};
+import package::common::diffuse_cones::{DIFFUSE_CONES, diffuse_cone, diffuse_direction, diffuse_weight};
+import package::common::frame::frame;
+import package::common::surface::Surface;
+
+struct Params {
+    /// 1: tangent spheres; 2: the 60° doubling cone.
+    stepper: u32,
+    /// Step over cell size, of the tangent spheres, (0, 1].
+    step: f32,
+    /// Farthest occluder, as a share of the grid's longest side, (0, 2].
+    distance: f32,
+}
+
+fn effect(surface: Surface, params: Params) -> vec4f {
+    let longest = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
+    let tangents = basis_around(surface.normal);
+    var open = vec4f(0.0);
+    for (var i = 0; i < DIFFUSE_CONES; i++) {
+        let cone = diffuse_cone(surface.position_voxel, tangents, i, 1.0, params.distance * longest);
+        let value = cone_trace(cone, ConeSettings(params.stepper, params.step), 0.0);
+        let weight = diffuse_weight(i) * (1.0 - value.a);
+        open += weight * vec4f(tangents * diffuse_direction(i), 1.0);
+    }
+    let size = length(open.xyz);
+    // Where nothing is open there is no such direction: the normal stays.
+    let bent = select(surface.normal, open.xyz / max(size, 1e-6), size > 1e-3);
+    return vec4f(0.5 * bent + 0.5, open.a);
+}
