@@ -6,6 +6,7 @@ use voxlume::twin::{Twin, Volumes, children};
 use voxlume::{Encoding, Property};
 
 use crate::content::Random;
+use crate::substrate::opacity;
 use crate::{Bench, Check, Content, Error, Probe, absolute_rounding, clamped, directions, relative_rounding};
 
 /// 32 operations in `f32`, each right to 2⁻²⁴, on terms up to 8 children's: 2⁻¹⁶.
@@ -73,7 +74,7 @@ fn store(bench: &Bench<'_>, twin: &dyn Twin, content: &Content, device: &Volumes
         // What the device is given is in f32.
         let given = |v: f64| f64::from(v as f32);
         let normal = device.surface(voxel.cell).map_or(DVec3::ZERO, |surface| surface.normal);
-        twin.voxel_store(&mut expected, voxel.cell, voxel.radiance.map(given), normal, given(voxel.opacity));
+        twin.voxel_store(&mut expected, voxel.cell, voxel.radiance.map(given), normal, opacity(voxel));
     }
     differences(bench, &expected, device, 0, |_| 0.0)
 }

@@ -20,10 +20,18 @@ pub struct Substrate {
 /// Fixed-point units per 1.0.
 const SCALE: f64 = (1 << 20) as f64;
 
-/// A voxel's attributes: weight, weight of double-sided surfaces, reflectance (which formats don't read), normals.
+fn fixed(value: f64) -> u32 {
+    (value * SCALE).round() as u32
+}
+
+/// The opacity that the device is given.
+pub fn opacity(voxel: &Voxel) -> f64 {
+    f64::from(fixed(voxel.opacity)) / SCALE
+}
+
+/// A voxel's attributes but its opacity: weight, weight of double-sided surfaces, reflectance (which formats don't read), normals.
 fn words(voxel: &Voxel) -> [u32; ATTRIBUTE_WORDS] {
     let mut words = [0; ATTRIBUTE_WORDS];
-    let fixed = |value: f64| (value * SCALE).round() as u32;
     words[0] = fixed(1.0);
     words[1] = fixed(voxel.double_sided);
     for axis in 0..3 {
@@ -76,7 +84,8 @@ impl Substrate {
             substrate.cells.push(cell.x | cell.y << 10 | cell.z << 20);
             if let Some(voxel) = voxel {
                 substrate.attributes.extend(words(voxel));
-                substrate.radiance.push(voxel.radiance.extend(voxel.opacity).as_vec4().to_array());
+                substrate.attributes.push(fixed(voxel.opacity));
+                substrate.radiance.push(voxel.radiance.extend(1.0).as_vec4().to_array());
             }
         }
         substrate
