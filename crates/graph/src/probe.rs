@@ -84,7 +84,8 @@ pub fn probe(
         let kind = KINDS.iter().find(|kind| kind.name == entry.name).unwrap_or(&PROBE);
         let mut expansion = Expansion::new(&mut context, entry, kind);
         (kind.expand)(&mut expansion);
-        let steps = expansion.finish();
+        // Neither kind has anything to do only once.
+        let (_, steps) = expansion.finish();
         passes.push(Pass { name: entry.name.clone(), once: false, reads: vec![], writes: vec![], steps });
     }
     let Context { shaders, resources, faults, grid, .. } = context;
