@@ -216,7 +216,7 @@ fn the_cornell_box_explained() {
 
     passes
       voxelize           nothing → voxels, once
-                           18 dispatches, 2 indirect dispatches
+                           19 dispatches, 2 indirect dispatches
       light              voxels → radiance
                            1 indirect dispatch
       filter             voxels, radiance → volume
@@ -234,11 +234,11 @@ fn the_cornell_box_explained() {
       occupancy          buffer                                    292.6 KiB
       ranks              buffer                                    292.6 KiB
       levels             buffer                                    256 B
-      tile_ranks         buffer                                    188 B
-      tile_groups        buffer                                    16 B
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels
       attributes         buffer                                    44 B × occupied voxels
+      tile_ranks         buffer                                    188 B
+      item_groups        buffer                                    16 B
       radiance           buffer                                    16 B × occupied voxels
       base               128 × 128 × 128 rgba16float, 8 levels     18.29 MiB
       out_of_range       buffer                                    8 B
