@@ -60,6 +60,7 @@ impl<'g> Bench<'g> {
     pub fn new(
         gpu: &'g Gpu,
         format: &dyn StorageFormat,
+        choices: &Choices,
         library: &Library,
         encoding: Encoding,
         side: u32,
@@ -68,7 +69,8 @@ impl<'g> Bench<'g> {
         // All levels of a full grid: less than 8/7 of level 0, and one.
         let (cells, filters_float32) = (voxels * 8 / 7 + 1, gpu.filters_float32());
         let size = ProbeSize { side, voxels, cells, samples: SAMPLES, filters_float32 };
-        let renderer = Renderer::new(gpu, probe(format, encoding, library, size)?, &Scene::default())?;
+        let renderer =
+            Renderer::new(gpu, probe(format, choices, encoding, library, size)?, &Scene::default())?;
         let camera = Camera {
             name: String::new(),
             eye: DVec3::ZERO,
@@ -76,12 +78,7 @@ impl<'g> Bench<'g> {
             up: glam::Vec3::Y,
             vertical_fov: 1.0,
         };
-        Ok(Bench {
-            renderer,
-            camera,
-            empty: Volumes::new(&format.volumes(&Choices::default()), side),
-            encoding,
-        })
+        Ok(Bench { renderer, camera, empty: Volumes::new(&format.volumes(choices), side), encoding })
     }
 
     /// Voxels along each side.

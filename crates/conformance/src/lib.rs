@@ -25,7 +25,7 @@ mod rounding;
 mod substrate;
 mod symmetry;
 
-use voxlume::{Encoding, Faults, Gpu, Library, StorageFormat};
+use voxlume::{Choices, Encoding, Faults, Gpu, Library, StorageFormat};
 
 pub use against_twin::against_twin;
 pub use bench::{Bench, Probe};
@@ -49,7 +49,7 @@ pub enum Error {
 /// Voxels along the suite's grids.
 pub const SIDE: u32 = 8;
 
-/// Runs the whole suite.
+/// Runs the whole suite on a format with its default choices.
 ///
 /// # Errors
 /// The format's shaders are at fault, or the device fails. A property that doesn't hold is no error but in the report.
@@ -59,12 +59,13 @@ pub fn run(
     library: &Library,
     encoding: Encoding,
 ) -> Result<Report, Error> {
-    let mut bench = Bench::new(gpu, format, library, encoding, SIDE)?;
+    let choices = Choices::default();
+    let mut bench = Bench::new(gpu, format, &choices, library, encoding, SIDE)?;
     let mut report = Report::new(format, encoding);
     property::measure(&mut bench, &mut report)?;
-    if let Some(twin) = format.twin() {
+    if let Some(twin) = format.twin(&choices) {
         for (name, content) in Content::adversarial(SIDE) {
-            report.extend(against_twin(&mut bench, twin, name, &content)?);
+            report.extend(against_twin(&mut bench, twin.as_ref(), name, &content)?);
         }
     }
     Ok(report)

@@ -51,7 +51,7 @@ impl Report {
 
     /// The checks that fail. A figure that is no number does.
     pub fn failures(&self) -> impl Iterator<Item = &Check> {
-        self.checks.iter().filter(|check| !(check.figure <= self.limit(check)))
+        self.checks.iter().filter(|check| check.figure.is_nan() || check.figure > self.limit(check))
     }
 
     /// Declared misses that no figure comes within a tenth of, as far as rounding can tell.

@@ -58,7 +58,7 @@ impl Substrate {
             (word as usize, (cell.z & 1) * 16 + (cell.y & 3) * 4 + (cell.x & 3))
         };
         // Every occupied cell by its place in the list.
-        let mut listed: Vec<((usize, u32), UVec3, u32, Option<&Voxel>)> = Vec::new();
+        let mut listed = Vec::new();
         for level in 0..grid.levels() {
             for voxel in &content.voxels {
                 let cell = voxel.cell >> level;

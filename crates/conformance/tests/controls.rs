@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, DVec4, UVec3};
 use voxlume::twin::{Twin, Volumes};
-use voxlume::{Encoding, Formats, Gpu, Library, Property, Source, StorageFormat};
+use voxlume::{Choices, Encoding, Formats, Gpu, Library, Property, Source, StorageFormat};
 use voxlume_conformance::{Bench, Content, SIDE, against_twin, run};
 
 fn gpu() -> &'static Gpu {
@@ -54,8 +54,9 @@ impl Twin for Broken<'_> {
 #[test]
 fn a_broken_twin_is_noticed_where_it_is_broken() {
     for format in Formats::builtin().iter() {
-        let (twin, library) = (format.twin().unwrap(), Library::builtin());
-        let mut bench = Bench::new(gpu(), format, &library, Encoding::Rgba16Float, SIDE).unwrap();
+        let (choices, library) = (Choices::default(), Library::builtin());
+        let twin = format.twin(&choices).unwrap();
+        let mut bench = Bench::new(gpu(), format, &choices, &library, Encoding::Rgba16Float, SIDE).unwrap();
         let content = Content::random(SIDE, 5, 1.0);
         for (broken, part) in [
             (Break::Nothing, None),
@@ -63,7 +64,8 @@ fn a_broken_twin_is_noticed_where_it_is_broken() {
             (Break::Mipmap, Some("mipmap")),
             (Break::Sample, Some("sample")),
         ] {
-            let checks = against_twin(&mut bench, &Broken(twin, broken), "random", &content).unwrap();
+            let checks =
+                against_twin(&mut bench, &Broken(twin.as_ref(), broken), "random", &content).unwrap();
             for check in checks {
                 let part_here = part.is_some_and(|part| check.at.contains(part));
                 assert_eq!(check.figure > check.bound, part_here, "{}: {broken:?}: {check:?}", format.name());

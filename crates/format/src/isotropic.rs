@@ -39,8 +39,8 @@ impl StorageFormat for Isotropic {
         }]
     }
 
-    fn twin(&self) -> Option<&dyn Twin> {
-        Some(self)
+    fn twin(&self, _: &Choices) -> Option<Box<dyn Twin>> {
+        Some(Box::new(*self))
     }
 }
 

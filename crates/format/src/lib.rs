@@ -53,8 +53,8 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
         &[]
     }
 
-    /// The same on the CPU in `f64` with its default choices, for tests to hold the WGSL against.
-    fn twin(&self) -> Option<&dyn Twin> {
+    /// The same on the CPU in `f64` with these choices, for tests to hold the WGSL against.
+    fn twin(&self, _choices: &Choices) -> Option<Box<dyn Twin>> {
         None
     }
 }

@@ -91,16 +91,24 @@ impl StorageFormat for Sh2 {
         ]
     }
 
-    fn twin(&self) -> Option<&dyn Twin> {
-        Some(self)
+    fn twin(&self, choices: &Choices) -> Option<Box<dyn Twin>> {
+        let [base, mip, negatives] = [&BASE, &MIP, &NEGATIVES].map(|option| choices.word(option));
+        Some(Box::new(Sh2Twin {
+            isotropic_base: base == "isotropic",
+            projected: mip == "projected",
+            windowed: negatives == "window",
+        }))
     }
 }
 
-const BASE_VOLUME: usize = 0;
-const HARMONICS: usize = 1;
+/// `wgsl/format/sh2`.
+struct Sh2Twin {
+    isotropic_base: bool,
+    projected: bool,
+    windowed: bool,
+}
+
 const COEFFICIENTS: u32 = 4;
-/// From this coverage by level 1 on, level 0 counts in full.
-const FACING_FULL: f64 = 0.25;
 
 /// Values of the two bands' functions, and the coefficients of a one-sided Lambertian emitter of radiance 1.
 struct Bands {
@@ -134,8 +142,8 @@ fn mean_opacity(alpha: DVec4) -> f64 {
     alpha.x + alpha.yzw().abs().element_sum() / 6.0
 }
 
-fn child_of_base(volumes: &Volumes, cell: UVec3) -> [DVec4; 4] {
-    let value = volumes.level(BASE_VOLUME, 0).load(cell);
+/// Of a voxel of level 0 with this premultiplied radiance and opacity.
+fn voxel_lobe(volumes: &Volumes, cell: UVec3, value: DVec4) -> [DVec4; 4] {
     let Some(surface) = volumes.surface(cell).filter(|_| value.w > 0.0) else { return [DVec4::ZERO; 4] };
     let alpha = encode_opacity(surface.front, surface.back);
     let radiance = value.truncate() * mean_opacity(alpha);
@@ -144,41 +152,83 @@ fn child_of_base(volumes: &Volumes, cell: UVec3) -> [DVec4; 4] {
     std::array::from_fn(|k| (radiance * shares[k]).extend(alpha[k]))
 }
 
-fn child_of_harmonics(volumes: &Volumes, cell: UVec3, level: u32) -> [DVec4; 4] {
-    let harmonics = volumes.level(HARMONICS, level);
-    std::array::from_fn(|k| harmonics.load(cell + UVec3::Z * (k as u32 * harmonics.size.z / COEFFICIENTS)))
-}
-
-fn sample_harmonics(volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-    let half_texel = 0.5 * level.ceil().exp2() / f64::from(volumes.side >> 1);
-    let w = uvw.z.clamp(half_texel, 1.0 - half_texel);
-    let c: [DVec4; 4] = std::array::from_fn(|k| {
-        volumes.sample(HARMONICS, uvw.with_z((k as f64 + w) / f64::from(COEFFICIENTS)), level)
-    });
-    let alpha = DVec4::new(c[0].w, c[1].w, c[2].w, c[3].w);
-    let (positive, negative) = decode_opacity(alpha);
-    let facing = DVec3::select(direction.cmpgt(DVec3::ZERO), negative, positive);
-    let opacity = direction.abs().dot(facing).min(1.0);
-    let Bands { sh0, sh1, lobe0, lobe1 } = bands();
+/// RAU eq. 5.9 over π: what a child sends through its parent's six faces. `inwards` is 1 or −1 along each axis.
+fn project_child(c: &[DVec4; 4], inwards: DVec3) -> [DVec3; 4] {
+    const FAR_FACE: f64 = 1.0747930;
+    const NEAR_FACE: f64 = 3.1139972;
+    let Bands { sh0, sh1, .. } = bands();
+    let (cosine0, cosine1) = (PI.sqrt() / 2.0, (PI / 3.0).sqrt());
     let [c0, cx, cy, cz] = c.map(DVec4::truncate);
-    let radiance = sh0 * c0 - sh1 * (direction.x * cx + direction.y * cy + direction.z * cz);
-    let more = alpha.yzw();
-    let lobe = more.abs().element_sum() / 6.0;
-    let mean = mean_opacity(alpha);
-    let unit = sh0 * lobe0 * mean - sh1 * lobe1 * lobe * direction.dot(more) / more.length().max(1e-6);
-    (radiance.max(DVec3::ZERO) / unit.max(0.35 * mean + 1e-6) * opacity).extend(opacity)
+    let mut projected = [DVec3::ZERO; 4];
+    for face in 0..6 {
+        let mut centre = inwards;
+        centre[face / 2] += if face % 2 == 1 { -2.0 } else { 2.0 };
+        let solid_angle = if centre[face / 2].abs() > 2.0 { FAR_FACE } else { NEAR_FACE };
+        let d = centre.normalize();
+        let share = (sh0 * c0 + sh1 * (d.x * cx + d.y * cy + d.z * cz)) * (solid_angle / PI);
+        projected[0] += share * cosine0;
+        (0..3).for_each(|axis| projected[axis + 1] += share * (cosine1 * d[axis]));
+    }
+    projected
 }
 
-impl Twin for Sh2 {
+impl Sh2Twin {
+    /// The volume of the coefficients; `base`, where it is, comes first.
+    fn harmonics(&self) -> usize {
+        usize::from(self.isotropic_base)
+    }
+
+    fn child(&self, volumes: &Volumes, cell: UVec3, level: u32) -> [DVec4; 4] {
+        if level == 1 && self.isotropic_base {
+            return voxel_lobe(volumes, cell, volumes.level(0, 0).load(cell));
+        }
+        std::array::from_fn(|k| volumes.load_block(self.harmonics(), level - 1, cell, k as u32))
+    }
+
+    /// The largest share of band 1 with which nothing is negative in any direction.
+    fn window(&self, band0: DVec3, size1: DVec3) -> DVec3 {
+        if !self.windowed {
+            return DVec3::ONE;
+        }
+        (band0 / size1.max(DVec3::splat(1e-20))).clamp(DVec3::ZERO, DVec3::ONE)
+    }
+
+    fn sample_harmonics(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
+        let c: [DVec4; 4] =
+            std::array::from_fn(|k| volumes.sample_block(self.harmonics(), k as u32, uvw, level));
+        let alpha = DVec4::from_array(c.map(|c| c.w));
+        let (positive, negative) = decode_opacity(alpha);
+        let facing = DVec3::select(direction.cmpgt(DVec3::ZERO), negative, positive);
+        let opacity = direction.abs().dot(facing).min(1.0);
+        let Bands { sh0, sh1, lobe0, lobe1 } = bands();
+        let [c0, cx, cy, cz] = c.map(DVec4::truncate);
+        let band0 = sh0 * c0;
+        let band1 = sh1 * (direction.x * cx + direction.y * cy + direction.z * cz);
+        let size1 = sh1 * (cx * cx + cy * cy + cz * cz).map(f64::sqrt);
+        let radiance = band0 - self.window(band0, size1) * band1;
+        let more = alpha.yzw();
+        let lobe = more.abs().element_sum() / 6.0;
+        let mean = mean_opacity(alpha);
+        let (unit0, unit1) = (sh0 * lobe0 * mean, sh1 * lobe1 * lobe);
+        let window = self.window(DVec3::splat(unit0), DVec3::splat(unit1)).x;
+        let unit = unit0 - window * unit1 * direction.dot(more) / more.length().max(1e-6);
+        (radiance.max(DVec3::ZERO) / unit.max(0.35 * mean + 1e-6) * opacity).extend(opacity)
+    }
+}
+
+impl Twin for Sh2Twin {
     fn voxel_store(&self, volumes: &mut Volumes, cell: UVec3, radiance: DVec3, _: DVec3, opacity: f64) {
-        volumes.level_mut(BASE_VOLUME, 0).store(cell, (radiance * opacity).extend(opacity));
+        let value = (radiance * opacity).extend(opacity);
+        if self.isotropic_base {
+            volumes.level_mut(0, 0).store(cell, value);
+            return;
+        }
+        let c = voxel_lobe(volumes, cell, value);
+        (0..COEFFICIENTS).for_each(|k| volumes.store_block(self.harmonics(), 0, cell, k, c[k as usize]));
     }
 
     fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
-        let child = children(cell).map(|child| match level {
-            1 => child_of_base(volumes, child),
-            _ => child_of_harmonics(volumes, child, level - 1),
-        });
+        let child = children(cell).map(|child| self.child(volumes, child, level));
         let alphas = child.map(|c| DVec4::from_array(c.map(|c| c.w)));
         let six = alphas.map(decode_opacity);
         let weight: f64 = alphas.into_iter().map(mean_opacity).sum();
@@ -187,20 +237,22 @@ impl Twin for Sh2 {
             composite_coverage(&six.map(|six| six.1)),
         );
         let scale = mean_opacity(alpha) / weight.max(1e-6);
-        let harmonics = volumes.level_mut(HARMONICS, level);
+        let offsets = children(UVec3::ZERO);
+        let sent: [[DVec3; 4]; 8] = std::array::from_fn(|i| match self.projected {
+            true => project_child(&child[i], 1.0 - 2.0 * offsets[i].as_dvec3()),
+            false => child[i].map(DVec4::truncate),
+        });
         for k in 0..COEFFICIENTS as usize {
-            let sum: DVec3 = child.iter().map(|c| c[k].truncate()).sum();
-            let block = UVec3::Z * (k as u32 * harmonics.size.z / COEFFICIENTS);
-            harmonics.store(cell + block, (sum * scale).extend(alpha[k]));
+            let sum: DVec3 = sent.iter().map(|sent| sent[k]).sum();
+            volumes.store_block(self.harmonics(), level, cell, k as u32, (sum * scale).extend(alpha[k]));
         }
     }
 
     fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-        let coarse = sample_harmonics(volumes, uvw, (level - 1.0).max(0.0), direction);
-        if level >= 1.0 {
-            return coarse;
+        if !self.isotropic_base {
+            return self.sample_harmonics(volumes, uvw, level, direction);
         }
-        let fine = volumes.sample(BASE_VOLUME, uvw, 0.0) * (coarse.w / FACING_FULL).clamp(0.0, 1.0);
-        fine.lerp(coarse, level.max(0.0))
+        let coarse = self.sample_harmonics(volumes, uvw, (level - 1.0).max(0.0), direction);
+        if level >= 1.0 { coarse } else { volumes.sample_over_base(0, uvw, level, coarse) }
     }
 }

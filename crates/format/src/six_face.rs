@@ -66,46 +66,82 @@ impl StorageFormat for SixFace {
         ]
     }
 
-    fn twin(&self) -> Option<&dyn Twin> {
-        Some(self)
+    fn twin(&self, choices: &Choices) -> Option<Box<dyn Twin>> {
+        Some(Box::new(SixFaceTwin { base: choices.word(&BASE), empty: choices.word(&EMPTY) }))
     }
 }
 
-const BASE_VOLUME: usize = 0;
-const FACES_VOLUME: usize = 1;
+/// `wgsl/format/six_face`.
+struct SixFaceTwin {
+    base: &'static str,
+    empty: &'static str,
+}
+
 const FACES: u32 = 6;
-/// From this coverage by level 1 on, level 0 counts in full.
-const FACING_FULL: f64 = 0.25;
 
 fn face_of(axis: usize, negative: bool) -> u32 {
     2 * axis as u32 + u32::from(negative)
 }
 
-fn child(volumes: &Volumes, cell: UVec3, level: u32, axis: usize, side: u32) -> DVec4 {
-    if level > 1 {
-        let faces = volumes.level(FACES_VOLUME, level - 1);
-        return faces.load(cell + UVec3::Z * (face_of(axis, side == 1) * faces.size.z / FACES));
+impl SixFaceTwin {
+    fn isotropic_base(&self) -> bool {
+        self.base == "isotropic"
     }
-    let value = volumes.level(BASE_VOLUME, 0).load(cell);
-    let Some(surface) = volumes.surface(cell).filter(|_| value.w > 0.0) else { return DVec4::ZERO };
-    value * if side == 1 { surface.back } else { surface.front }[axis]
+
+    /// The volume of the faces; `base`, where it is, comes first.
+    fn faces(&self) -> usize {
+        usize::from(self.isotropic_base())
+    }
+
+    /// How much of a surface of this normal a face shows.
+    fn face_weight(&self, normal: DVec3, face: u32) -> f64 {
+        if normal == DVec3::ZERO {
+            return 1.0;
+        }
+        let (axis, size) = (face as usize / 2, normal.abs());
+        let cosine = if face % 2 == 1 { -normal[axis] } else { normal[axis] }.max(0.0);
+        match self.base {
+            "dominant" => f64::from(u8::from(cosine > 0.0 && axis == size.max_position())),
+            "weighted" => cosine * cosine,
+            _ => cosine,
+        }
+    }
+
+    fn child(&self, volumes: &Volumes, cell: UVec3, level: u32, axis: usize, side: u32) -> DVec4 {
+        if level > 1 || !self.isotropic_base() {
+            return volumes.load_block(self.faces(), level - 1, cell, face_of(axis, side == 1));
+        }
+        let value = volumes.level(0, 0).load(cell);
+        let Some(surface) = volumes.surface(cell).filter(|_| value.w > 0.0) else { return DVec4::ZERO };
+        value * if side == 1 { surface.back } else { surface.front }[axis]
+    }
+
+    fn sample_faces(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
+        let face = |axis: usize| {
+            let block = face_of(axis, direction[axis] > 0.0);
+            direction[axis].abs() * volumes.sample_block(self.faces(), block, uvw, level)
+        };
+        let value = face(0) + face(1) + face(2);
+        value / value.w.max(1.0)
+    }
 }
 
-fn sample_faces(volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-    let half_texel = 0.5 * level.ceil().exp2() / f64::from(volumes.side >> 1);
-    let w = uvw.z.clamp(half_texel, 1.0 - half_texel);
-    let face = |axis: usize| {
-        let block = f64::from(face_of(axis, direction[axis] > 0.0));
-        let value = volumes.sample(FACES_VOLUME, uvw.with_z((block + w) / f64::from(FACES)), level);
-        direction[axis].abs() * value
-    };
-    let value = face(0) + face(1) + face(2);
-    value / value.w.max(1.0)
-}
-
-impl Twin for SixFace {
-    fn voxel_store(&self, volumes: &mut Volumes, cell: UVec3, radiance: DVec3, _: DVec3, opacity: f64) {
-        volumes.level_mut(BASE_VOLUME, 0).store(cell, (radiance * opacity).extend(opacity));
+impl Twin for SixFaceTwin {
+    fn voxel_store(&self, volumes: &mut Volumes, cell: UVec3, radiance: DVec3, normal: DVec3, opacity: f64) {
+        let value = (radiance * opacity).extend(opacity);
+        if self.isotropic_base() {
+            volumes.level_mut(0, 0).store(cell, value);
+            return;
+        }
+        for face in 0..FACES {
+            let weight = self.face_weight(normal, face);
+            let seen = match self.empty {
+                "black" if weight == 0.0 => DVec3::ZERO.extend(opacity),
+                "fill" if weight == 0.0 => value,
+                _ => value * weight,
+            };
+            volumes.store_block(self.faces(), 0, cell, face, seen);
+        }
     }
 
     fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
@@ -115,24 +151,21 @@ impl Twin for SixFace {
             for side in 0..2 {
                 let column = |column: u32| {
                     let low = cell * 2 + u * (column & 1) + v * (column >> 1);
-                    let near = child(volumes, low + along * (1 - side), level, axis, side);
-                    let far = child(volumes, low + along * side, level, axis, side);
+                    let near = self.child(volumes, low + along * (1 - side), level, axis, side);
+                    let far = self.child(volumes, low + along * side, level, axis, side);
                     near + (1.0 - near.w) * far
                 };
                 let sum: DVec4 = (0..4).map(column).sum();
-                let faces = volumes.level_mut(FACES_VOLUME, level);
-                let block = UVec3::Z * (face_of(axis, side == 1) * faces.size.z / FACES);
-                faces.store(cell + block, sum / 4.0);
+                volumes.store_block(self.faces(), level, cell, face_of(axis, side == 1), sum / 4.0);
             }
         }
     }
 
     fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-        let coarse = sample_faces(volumes, uvw, (level - 1.0).max(0.0), direction);
-        if level >= 1.0 {
-            return coarse;
+        if !self.isotropic_base() {
+            return self.sample_faces(volumes, uvw, level, direction);
         }
-        let fine = volumes.sample(BASE_VOLUME, uvw, 0.0) * (coarse.w / FACING_FULL).clamp(0.0, 1.0);
-        fine.lerp(coarse, level.max(0.0))
+        let coarse = self.sample_faces(volumes, uvw, (level - 1.0).max(0.0), direction);
+        if level >= 1.0 { coarse } else { volumes.sample_over_base(0, uvw, level, coarse) }
     }
 }

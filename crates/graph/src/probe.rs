@@ -48,6 +48,7 @@ static PROBE: Kind =
 /// Every fault of the format's shaders.
 pub fn probe(
     format: &dyn StorageFormat,
+    choices: &Choices,
     encoding: Encoding,
     library: &Library,
     size: ProbeSize,
@@ -55,7 +56,7 @@ pub fn probe(
     let pipeline = Pipeline::parse(&Source::new("probe", PIPELINE))?;
     let facts = SceneFacts::of(&Scene::default());
     let grid = Grid { size: [size.side; 3], centre: DVec3::ZERO, voxel_size: 1.0 };
-    let storage = Storage::new(format, Choices::default(), encoding, size.filters_float32);
+    let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
     let mut context = Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), false);
     // Opacity as it comes.

@@ -45,8 +45,8 @@ impl StorageFormat for Sh3 {
     }
 
     // ANCHOR: twin
-    fn twin(&self) -> Option<&dyn Twin> {
-        Some(self)
+    fn twin(&self, _: &Choices) -> Option<Box<dyn Twin>> {
+        Some(Box::new(*self))
     }
     // ANCHOR_END: twin
 }

@@ -11,7 +11,6 @@ use crate::Sh3;
 const BASE: usize = 0;
 const NINE: usize = 1;
 const BANDS: u32 = 9;
-const FACING_FULL: f64 = 0.25;
 const COSINE2: f64 = 0.15625;
 
 /// The functions' factors, times 16/3.
@@ -63,8 +62,7 @@ fn area_coefficients(normal: DVec3, front: DVec3, back: DVec3) -> [f64; 9] {
 
 fn child_coefficients(volumes: &Volumes, cell: UVec3, level: u32) -> [DVec4; 9] {
     if level > 1 {
-        let nine = volumes.level(NINE, level - 1);
-        return std::array::from_fn(|k| nine.load(cell + UVec3::Z * (k as u32 * nine.size.z / BANDS)));
+        return std::array::from_fn(|k| volumes.load_block(NINE, level - 1, cell, k as u32));
     }
     let value = volumes.level(BASE, 0).load(cell);
     let Some(surface) = volumes.surface(cell).filter(|_| value.w > 0.0) else { return [DVec4::ZERO; 9] };
@@ -76,10 +74,7 @@ fn along(c: &[DVec4; 9], d: DVec3) -> DVec4 {
 }
 
 fn sample_nine(volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-    let half_texel = 0.5 * level.ceil().exp2() / f64::from(volumes.side >> 1);
-    let w = uvw.z.clamp(half_texel, 1.0 - half_texel);
-    let c =
-        std::array::from_fn(|k| volumes.sample(NINE, uvw.with_z((k as f64 + w) / f64::from(BANDS)), level));
+    let c = std::array::from_fn(|k| volumes.sample_block(NINE, k as u32, uvw, level));
     let sum = along(&c, -direction);
     let opacity = sum.w.clamp(0.0, 1.0);
     (sum.truncate().max(DVec3::ZERO) * (opacity / sum.w.max(1e-6))).extend(opacity)
@@ -98,19 +93,14 @@ impl Twin for Sh3 {
         let (positive, negative) = (side(1.0), side(-1.0));
         let before: f64 = positive.iter().chain(&negative).map(|side: &DVec3| side.element_sum()).sum();
         let after = (composite_coverage(&positive) + composite_coverage(&negative)).element_sum();
-        let nine = volumes.level_mut(NINE, level);
         for k in 0..BANDS {
             let sum: DVec4 = child.iter().map(|c| c[k as usize]).sum();
-            nine.store(cell + UVec3::Z * (k * nine.size.z / BANDS), sum * (after / before.max(1e-6)));
+            volumes.store_block(NINE, level, cell, k, sum * (after / before.max(1e-6)));
         }
     }
 
     fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
         let coarse = sample_nine(volumes, uvw, (level - 1.0).max(0.0), direction);
-        if level >= 1.0 {
-            return coarse;
-        }
-        let fine = volumes.sample(BASE, uvw, 0.0) * (coarse.w / FACING_FULL).clamp(0.0, 1.0);
-        fine.lerp(coarse, level.max(0.0))
+        if level >= 1.0 { coarse } else { volumes.sample_over_base(BASE, uvw, level, coarse) }
     }
 }

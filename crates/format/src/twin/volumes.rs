@@ -99,6 +99,35 @@ impl Volumes {
         &mut mips[(level - volume.first_level()) as usize]
     }
 
+    /// A cell's value in a block of a volume that holds this level of the grid.
+    pub fn load_block(&self, volume: usize, level: u32, cell: UVec3, block: u32) -> DVec4 {
+        let texels = self.level(volume, level);
+        texels.load(cell + UVec3::Z * (block * texels.size.z / self.volumes[volume].0.blocks))
+    }
+
+    /// Sets what [`Volumes::load_block`] gives.
+    pub fn store_block(&mut self, volume: usize, level: u32, cell: UVec3, block: u32, value: DVec4) {
+        let blocks = self.volumes[volume].0.blocks;
+        let texels = self.level_mut(volume, level);
+        let depth = texels.size.z / blocks;
+        texels.store(cell + UVec3::Z * (block * depth), value);
+    }
+
+    /// `sample_block` of `wgsl/common/volume.wgsl`: never mixes two blocks.
+    pub fn sample_block(&self, volume: usize, block: u32, uvw: DVec3, mip: f64) -> DVec4 {
+        let (of, mips) = &self.volumes[volume];
+        let half_texel = 0.5 * mip.ceil().exp2() * f64::from(of.blocks) / f64::from(mips[0].size.z);
+        let w = uvw.z.clamp(half_texel, 1.0 - half_texel);
+        self.sample(volume, uvw.with_z((f64::from(block) + w) / f64::from(of.blocks)), mip)
+    }
+
+    /// `sample_over_base` of `wgsl/common/isotropic_base.wgsl`: level 0 as far as level 1, `coarse`, shows it.
+    pub fn sample_over_base(&self, base: usize, uvw: DVec3, level: f64, coarse: DVec4) -> DVec4 {
+        const FACING_FULL: f64 = 0.25;
+        let fine = self.sample(base, uvw, 0.0) * (coarse.w / FACING_FULL).clamp(0.0, 1.0);
+        fine.lerp(coarse, level.max(0.0))
+    }
+
     /// Linear in space and between mip levels, both clamped: `textureSampleLevel`.
     pub fn sample(&self, volume: usize, uvw: DVec3, mip: f64) -> DVec4 {
         let mips = &self.volumes[volume].1;
