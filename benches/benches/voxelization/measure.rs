@@ -1,9 +1,11 @@
 //! Times of the voxelization alone.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use voxlume::{
-    Formats, Gpu, Library, Passes, Pipeline, Plan, Renderer, Request, Scene, SceneFacts, Step, Value, plan,
+    Bind, Formats, Gpu, Library, Passes, Pipeline, Plan, Program, Renderer, Request, ResourceKind, Scene,
+    SceneFacts, Step, Target, Value, plan,
 };
 
 use crate::arguments::Arguments;
@@ -39,9 +41,11 @@ fn timed(gpu: &Gpu, scene: &Scene, plan: Plan, repeat: usize) -> Result<Cell, St
     }
     times.remove(0);
     times.sort_by(f64::total_cmp);
-    let voxels =
-        ["occupancy", "ranks", "cells", "levels", "attributes", "tile_ranks", "scan_runs", "columns"];
-    let bytes = renderer.bytes().into_iter().filter(|(name, _)| voxels.contains(&name.as_str()));
+    let plan = renderer.plan();
+    let own = |name: &str| {
+        plan.resource(name).is_some_and(|index| plan.resources[index].kind != ResourceKind::Scene)
+    };
+    let bytes = renderer.bytes().into_iter().filter(|(name, _)| own(name));
     Ok(Cell { milliseconds: times[times.len() / 2], bytes: bytes.map(|(_, bytes)| bytes).sum() })
 }
 
@@ -79,9 +83,32 @@ fn voxelization(
     {
         steps.truncate(first);
     }
-    // Nothing that other passes make is allocated.
-    plan.output = 0;
+    // What other passes make is not allocated.
+    let used: BTreeSet<usize> = steps.iter().flat_map(resources).collect();
+    for (index, resource) in plan.resources.iter_mut().enumerate() {
+        if resource.kind != ResourceKind::Scene && !used.contains(&index) {
+            resource.kind = ResourceKind::Buffer(0);
+        }
+    }
     Ok(plan)
+}
+
+/// What a step needs.
+fn resources(step: &Step) -> Vec<usize> {
+    let bound = |program: &Program| -> Vec<usize> {
+        let target = |bind: &Bind| match bind.target {
+            Target::Resource(resource) | Target::Mip { resource, .. } => Some(resource),
+            Target::Uniform(_) | Target::Nothing => None,
+        };
+        program.binds.iter().filter_map(target).collect()
+    };
+    match step {
+        Step::Clear(resource) => vec![*resource],
+        Step::Compute { program, .. } => bound(program),
+        Step::Raster { program, target, .. } => [bound(program), vec![*target]].concat(),
+        Step::Copy { from, to } => vec![*from, *to],
+        Step::Draw { .. } | Step::Counted => Vec::new(),
+    }
 }
 
 /// Brackets the cutoff that makes `hybrid` fastest, by powers of two and then by golden sections.

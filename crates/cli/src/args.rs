@@ -25,7 +25,7 @@ pub struct PlanArgs {
     #[arg(long)]
     pub encoding: Option<String>,
 
-    /// Voxels along the grid's side, instead of the pipeline's: 16, 32, 64, 128, 256, 512
+    /// Voxels along the grid's longest side, instead of the pipeline's: 8 to 512
     #[arg(long, value_name = "N")]
     pub resolution: Option<u32>,
 

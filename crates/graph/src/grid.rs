@@ -33,6 +33,11 @@ impl Grid {
     /// Voxels along the longest side, before padding.
     pub const RESOLUTIONS: RangeInclusive<u32> = 8..=512;
 
+    /// [`Grid::RESOLUTIONS`] in words.
+    pub fn resolution_range() -> String {
+        format!("{} to {} along the longest side", Self::RESOLUTIONS.start(), Self::RESOLUTIONS.end())
+    }
+
     /// A cube: see [`Grid::new`].
     pub fn fit(resolution: u32, bounds: Option<(DVec3, DVec3)>) -> Grid {
         Grid::new(resolution, Extent::Cubic, bounds)

@@ -88,7 +88,7 @@ pub fn plan(
     }
     let resolution = &pipeline.resolution;
     if !Grid::RESOLUTIONS.contains(&resolution.value) {
-        let label = format!("from {} to {}", Grid::RESOLUTIONS.start(), Grid::RESOLUTIONS.end());
+        let label = Grid::resolution_range();
         let message = format!("a grid of {0} × {0} × {0} voxels", resolution.value);
         faults.push(pipeline.fault(&resolution.span, message, label));
     }

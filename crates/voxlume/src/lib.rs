@@ -23,8 +23,9 @@ pub use voxlume_format::{
     Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Request,
-    Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Value, check_variant, explain, plan, probe,
+    Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Program,
+    Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Value, check_variant, explain,
+    plan, probe,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

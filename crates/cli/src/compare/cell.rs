@@ -85,9 +85,8 @@ pub fn cells(
             }
             continue;
         }
-        let range = Grid::RESOLUTIONS;
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
-        faults.push(fault.note(format!("each side: {} to {}", range.start(), range.end())));
+        faults.push(fault.note(Grid::resolution_range()));
     }
     let subjects = subjects(args, &mut faults);
     let [width, height] = args.size;

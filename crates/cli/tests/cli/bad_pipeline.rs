@@ -55,11 +55,11 @@ error: unknown encoding `rgba9`
 3 │     encoding: "rgba9",
   │               ^^^^^^^ did you mean `rgba8`? one of: rgba8, rgba16float, rgba32float
 
-error: a grid of 33 × 33 × 33 voxels
+error: a grid of 5 × 5 × 5 voxels
   ┌─ pipe.ron:4:17
   │
-4 │     resolution: 33,
-  │                 ^^ one of: 16, 32, 64, 128, 256, 512"#,
+4 │     resolution: 5,
+  │                 ^ 8 to 512 along the longest side"#,
     );
 }
 
@@ -185,7 +185,7 @@ fn too_many_voxels_and_pixels() {
         "loading box.ron
 planning
 error: a grid of 100000 × 100000 × 100000 voxels
- = one of: 16, 32, 64, 128, 256, 512
+ = 8 to 512 along the longest side
 
 error: an image of 99999 × 10 pixels
  = each side: 1 to 8192",

@@ -25,7 +25,7 @@ fn all_is_well() {
 #[test]
 fn faults_of_all_files_at_once() {
     let folder = Folder::new();
-    folder.edit("pipe.ron", PIPELINE, "resolution: 32", "resolution: 33");
+    folder.edit("pipe.ron", PIPELINE, "resolution: 32", "resolution: 5");
     folder.file("box.ron", "(objects: [],, )");
     folder.edit("tint.wgsl", TINT, "vec4f(", "vec3f(");
     folder.refuses("check box.ron none.glb pipe.ron tint.wgsl out.txt", "error: expected identifier
@@ -43,11 +43,11 @@ error: invalid function `effect`
 9 │     return vec3f(surface.base_color * params.strength, 1.0);
   │            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ Composing expects 3 components but 4 were given
 
-error: a grid of 33 × 33 × 33 voxels
+error: a grid of 5 × 5 × 5 voxels
   ┌─ pipe.ron:4:17
   │
-4 │     resolution: 33,
-  │                 ^^ one of: 16, 32, 64, 128, 256, 512
+4 │     resolution: 5,
+  │                 ^ 8 to 512 along the longest side
 
 error: cannot read `none.glb`: no such file
 

@@ -234,18 +234,18 @@ fn an_effect_that_writes_nothing_or_two_images() {
 /// All that can be told at once is told at once.
 #[test]
 fn several_faults_at_once() {
-    assert_snapshot!(message(&[(r#""six_face""#, r#""sixface""#), (r#"resolution: 64"#, r#"resolution: 63"#), (r#"run: "filter""#, r#"run: "fliter""#), (r#"reads: ["surface", "diffuse""#, r#"reads: ["surface", "difuse""#)]), @r#"
+    assert_snapshot!(message(&[(r#""six_face""#, r#""sixface""#), (r#"resolution: 64"#, r#"resolution: 7"#), (r#"run: "filter""#, r#"run: "fliter""#), (r#"reads: ["surface", "diffuse""#, r#"reads: ["surface", "difuse""#)]), @r#"
     error: unknown storage format `sixface`
       ┌─ p.ron:2:13
       │
     2 │     format: "sixface",
       │             ^^^^^^^^^ did you mean `six_face`? one of: isotropic, six_face, sh2
 
-    error: a grid of 63 × 63 × 63 voxels
+    error: a grid of 7 × 7 × 7 voxels
       ┌─ p.ron:4:17
       │
-    4 │     resolution: 63,
-      │                 ^^ one of: 16, 32, 64, 128, 256, 512
+    4 │     resolution: 7,
+      │                 ^ 8 to 512 along the longest side
 
     error: unknown pass `fliter`
        ┌─ p.ron:19:15

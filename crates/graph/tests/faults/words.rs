@@ -91,16 +91,16 @@ fn encoding_options() {
 
 #[test]
 fn resolution() {
-    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: 100"#)]), @r#"
-    error: a grid of 100 × 100 × 100 voxels
+    assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: 1000"#)]), @r#"
+    error: a grid of 1000 × 1000 × 1000 voxels
       ┌─ p.ron:4:17
       │
-    4 │     resolution: 100,
-      │                 ^^^ one of: 16, 32, 64, 128, 256, 512
+    4 │     resolution: 1000,
+      │                 ^^^^ 8 to 512 along the longest side
     "#);
     assert_snapshot!(message_for(&[], &Request { resolution: Some(1024), ..request() }), @r#"
     error: a grid of 1024 × 1024 × 1024 voxels
-     = one of: 16, 32, 64, 128, 256, 512
+     = 8 to 512 along the longest side
     "#);
     assert_snapshot!(message(&[(r#"resolution: 64"#, r#"resolution: -1"#)]), @r#"
     error: expected a whole number from 0 to 4294967295, found `-1`
@@ -165,7 +165,7 @@ fn unknown_field() {
       ┌─ p.ron:6:5
       │
     6 │     outptu: 1, output: "final",
-      │     ^^^^^^ did you mean `output`? one of: format, encoding, resolution, separability, output, passes
+      │     ^^^^^^ did you mean `output`? one of: format, encoding, resolution, grid, separability, output, passes
     "#);
 }
 
@@ -195,4 +195,28 @@ fn set() {
     error: parameter `step` of pass `diffuse` can't be 7
      = a number in (0, 1]: Step over cell size, of the tangent spheres.
     "#);
+}
+
+/// Whatever of these is wrong is told with its place.
+#[test]
+fn grid_and_method() {
+    for (grid, told) in [
+        (r#"(fit: "round")"#, "unknown fit `round`"),
+        (r#"(min: (0, 0, 0))"#, "the grid is neither fitted nor given"),
+        (r#"(fit: "cubic", min: (0, 0, 0), max: (1, 1, 1))"#, "the grid is neither fitted nor given"),
+        (r#"(min: (0, 0, 0), max: (1, 0, 1))"#, "the grid is empty"),
+        (r#"(min: (0, 0), max: (1, 1, 1))"#, "`min` must be a point"),
+    ] {
+        let text = message(&[("resolution: 64,", &format!("resolution: 64, grid: {grid},"))]);
+        assert!(text.contains(told) && text.contains("p.ron:4:"), "{grid}: {text}");
+    }
+    for (params, told) in [
+        (r#"method: "fast""#, r#"parameter `method` of pass `voxelize` can't be "fast""#),
+        (r#"cutoff: -1"#, "parameter `cutoff` of pass `voxelize` can't be -1"),
+        (r#"coverage: 1"#, "parameter `coverage` of pass `voxelize` can't be 1"),
+    ] {
+        let writes = r#"(run: "voxelize", writes: ["voxels"]"#;
+        let text = message(&[(writes, &format!("{writes}, params: ({params})"))]);
+        assert!(text.contains(told), "{params}: {text}");
+    }
 }
