@@ -2,6 +2,7 @@
 // Schlick's Fresnel over a Lambertian base.
 
 import package::common::constants::PI;
+import package::common::range::unit_or;
 import package::common::reflectance::{specular_f0, diffuse_albedo};
 import package::common::surface::Surface;
 
@@ -13,7 +14,8 @@ fn fresnel(f0: vec3f, cosine: f32) -> vec3f {
 fn brdf(surface: Surface, light: vec3f) -> vec3f {
     let alpha = max(surface.roughness * surface.roughness, 1e-3);
     let a2 = alpha * alpha;
-    let half_vector = normalize(light + surface.view);
+    // A light exactly opposite to the view has none; nothing is reflected that way.
+    let half_vector = unit_or(light + surface.view, surface.normal);
     let n_l = saturate(dot(surface.normal, light));
     let n_v = max(dot(surface.normal, surface.view), 1e-4);
     let n_h = saturate(dot(surface.normal, half_vector));

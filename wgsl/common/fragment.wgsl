@@ -5,6 +5,7 @@ import package::common::frame::frame;
 import package::common::material::{Material, shading_normal, HAS_TEXTURES};
 import package::common::mesh::{vertices, triangle_indices};
 import package::common::octahedral::{unpack_normal, unpack_tangent};
+import package::common::range::unit_or;
 
 // A triangle's corners, read once for all its voxels.
 struct Corners {
@@ -89,7 +90,8 @@ fn fragment_at(c: Corners, center_voxel: vec3f) -> Fragment {
 // Unit, normal map included.
 fn fragment_normal(c: Corners, f: Fragment, material: Material) -> vec3f {
     let n = f.weights.x * c.normal[0] + f.weights.y * c.normal[1] + f.weights.z * c.normal[2];
-    let normal = normalize(n + vec3f(0.0, 1e-20, 0.0));
+    // Opposite normals of corners may cancel.
+    let normal = unit_or(n, c.normal[0]);
     if (!HAS_TEXTURES) {
         return normal;
     }

@@ -4,6 +4,7 @@ import package::common::brdf::{brdf, lobe_reflectance};
 import package::common::constants::PI;
 import package::common::frame::frame;
 import package::common::light::{lights, light_incidence};
+import package::common::range::in_half_range;
 import package::common::reflectance::diffuse_albedo;
 import package::common::surface::{Surface, surface_load};
 
@@ -46,7 +47,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = surface_load(pixel);
     if (!surface.hit) {
-        textureStore(image, pixel, 0, vec4f(frame.sky, 0.0));
+        textureStore(image, pixel, 0, vec4f(in_half_range(frame.sky), 0.0));
         return;
     }
     var open = 1.0;
@@ -66,5 +67,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         + direct_light(surface, pixel, open)
         + diffuse_albedo(surface.base_color, surface.metallic) * dielectric_share * arriving
         + lobe * mirrored;
-    textureStore(image, pixel, 0, vec4f(radiance, 1.0));
+    textureStore(image, pixel, 0, vec4f(in_half_range(radiance), 1.0));
 }

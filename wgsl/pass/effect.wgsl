@@ -1,5 +1,6 @@
 // Runs an effect over the screen.
 
+import package::common::range::in_half_range;
 import package::common::surface::surface_load;
 import package::common::turn::turn_at;
 import package::effect::{Params, effect};
@@ -22,5 +23,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         surface.turn = select(0.0, turn_at(id.xy), INTERLEAVE);
         value = effect(surface, params);
     }
-    textureStore(image, id.xy, id.z, value);
+    textureStore(image, id.xy, id.z, vec4f(in_half_range(value.rgb), value.a));
 }

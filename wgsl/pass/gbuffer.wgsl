@@ -4,6 +4,7 @@ import package::common::frame::frame;
 import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK};
 import package::common::mesh::vertices;
 import package::common::octahedral::{unpack_normal, unpack_tangent};
+import package::common::range::{in_half_range, unit_or};
 
 struct Varyings {
     @builtin(position) clip: vec4f,
@@ -52,8 +53,9 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
         discard;
     }
     let facing = select(-1.0, 1.0, front);
-    let flat = normalize(cross(dpdy(v.position), dpdx(v.position)));
-    let interpolated = normalize(v.normal) * facing;
+    // In voxels, so that neither tiny nor huge scenes leave the range of squares.
+    let flat = unit_or(cross(dpdy(v.position) / frame.voxel_size, dpdx(v.position) / frame.voxel_size), v.normal);
+    let interpolated = unit_or(v.normal, flat * facing) * facing;
     let surface = roughness_metallic(material, v.uv, lod);
     var o: Targets;
     o.albedo = vec4f(color.rgb, surface.y);
@@ -61,6 +63,6 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     // Derivatives give the plane; the camera's side gives the sign.
     o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, frame.eye - v.position) > 0.0), 1.0);
     // Only the front emits, unless both sides are shaded.
-    o.emission = vec4f(emission(material, v.uv, lod), 1.0);
+    o.emission = vec4f(in_half_range(emission(material, v.uv, lod)), 1.0);
     return o;
 }

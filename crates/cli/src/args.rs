@@ -40,6 +40,10 @@ pub struct PlanArgs {
     /// Sets a parameter of a pass: a number, a word or numbers with commas; may be repeated
     #[arg(long, value_name = "PASS.PARAM=VALUE", value_parser = setting)]
     pub set: Vec<(String, String, Value)>,
+
+    /// MiB that the plan may take on the device; it is refused if it needs more
+    #[arg(long, value_name = "MIB")]
+    pub memory_budget: Option<u32>,
 }
 
 impl PlanArgs {
@@ -65,6 +69,7 @@ impl PlanArgs {
             set: self.set.clone(),
             screen: self.size,
             filters_float32: false,
+            memory_budget: self.memory_budget.map(|mebibytes| u64::from(mebibytes) << 20),
         }
     }
 }

@@ -57,9 +57,10 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         let fault = Fault::new(error.to_string());
         match error {
-            Error::NoSuchAdapter { .. } | Error::NoSuchImage { .. } | Error::TooLarge { .. } => {
-                Failure::Input(fault.into())
-            }
+            Error::NoSuchAdapter { .. }
+            | Error::NoSuchImage { .. }
+            | Error::TooLarge { .. }
+            | Error::OverBudget { .. } => Failure::Input(fault.into()),
             _ => Failure::Work(fault),
         }
     }

@@ -13,6 +13,7 @@ use crate::Registry;
 use crate::args::ImageArgs;
 use crate::devices;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::outfile::{self, OutFile};
 use crate::picture::Kind;
 use crate::progress::Progress;
@@ -88,6 +89,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     if let Some(range) = &args.frames {
         return frames::run(args, registry, range);
     }
+    interrupt::wish();
     // What can be refused at once is, before the long work.
     let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
@@ -110,6 +112,9 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     renderer.render(&scene, camera, Passes::All)?;
     let mut frames = Frames::default();
     for frame in 1..=args.repeat {
+        if interrupt::wished() {
+            return Err(Failure::work("interrupted; nothing was written"));
+        }
         progress.repeated(format!("rendering frame {frame}/{}", args.repeat));
         let start = Instant::now();
         let times = renderer.render(&scene, camera, Passes::All)?;

@@ -41,6 +41,18 @@ pub enum Error {
         /// Largest binding.
         limit: u64,
     },
+    /// The plan would exceed its own budget.
+    #[error(
+        "the plan needs {bytes} bytes on the device with {voxels} occupied voxels, over the budget of {budget}: choose a lower resolution"
+    )]
+    OverBudget {
+        /// What it needs, without the scene.
+        bytes: u64,
+        /// Occupied voxels.
+        voxels: u64,
+        /// What it may take.
+        budget: u64,
+    },
     /// The device refuses something.
     #[error("the device refuses {what}: {message}")]
     Refused {

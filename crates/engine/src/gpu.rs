@@ -1,6 +1,7 @@
 //! A device and the errors that it reports.
 
-use std::sync::{Arc, Mutex};
+use std::sync::atomic::{AtomicI64, Ordering};
+use std::sync::{Arc, LazyLock, Mutex};
 
 use crate::Error;
 
@@ -83,9 +84,7 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| keep(&uncaptured, error.to_string())));
         let lost = Arc::clone(&fault);
         device.set_device_lost_callback(move |reason, message| {
-            if reason != wgpu::DeviceLostReason::Destroyed {
-                keep(&lost, message);
-            }
+            keep(&lost, if message.is_empty() { format!("{reason:?}") } else { message });
         });
         let info = device.adapter_info();
         Gpu { device, queue, info, fault }
@@ -111,15 +110,32 @@ impl Gpu {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        self.lose_if_asked();
         let value = action();
         let errors = [validation.pop(), internal.pop()].map(pollster::block_on);
         let memory = pollster::block_on(memory.pop());
+        // A lost device refuses everything; why it is lost says more.
+        self.check()?;
         if memory.is_some() {
             return Err(Error::OutOfMemory(what.to_owned()));
         }
         match errors.into_iter().flatten().next() {
             Some(error) => Err(Error::Refused { what: what.to_owned(), message: error.to_string() }),
-            None => self.check().map(|()| value),
+            None => Ok(value),
+        }
+    }
+
+    /// Loses the device, once, after as many guarded actions of the process as `VOXLUME_LOSE_DEVICE_AFTER` says: for
+    /// tests of what becomes of the work then.
+    fn lose_if_asked(&self) {
+        static LEFT: LazyLock<AtomicI64> = LazyLock::new(|| {
+            let asked = std::env::var("VOXLUME_LOSE_DEVICE_AFTER").ok().and_then(|text| text.parse().ok());
+            AtomicI64::new(asked.unwrap_or(0))
+        });
+        if LEFT.load(Ordering::Relaxed) > 0 && LEFT.fetch_sub(1, Ordering::Relaxed) == 1 {
+            self.device.destroy();
+            // The callback comes with the next poll.
+            let _ = self.device.poll(wgpu::PollType::Poll);
         }
     }
 

@@ -146,7 +146,7 @@ impl<'g> Renderer<'g> {
         }
         self.gpu.guarded("counting voxels", || self.gpu.queue.submit([encoder.finish()]))?;
         self.counts = self.read_counts()?;
-        self.capacity = self.roomy();
+        self.capacity = self.roomy()?;
         for index in 0..self.objects.len() {
             if matches!(self.plan.resources[index].kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_))
             {
@@ -173,10 +173,15 @@ impl<'g> Renderer<'g> {
         self.plan.passes.iter().any(|pass| !pass.once && counted(pass))
     }
 
-    /// The counts, with a quarter more where they change from frame to frame.
-    fn roomy(&self) -> (u64, u64) {
+    /// The counts, with a quarter more where they change from frame to frame, if the plan's budget has room for them.
+    fn roomy(&self) -> Result<(u64, u64), Error> {
         let more = |count: u64| if self.voxels_move() { count + count / 4 + 256 } else { count };
-        (more(self.counts.0), more(self.counts.1))
+        let (voxels, cells) = (more(self.counts.0), more(self.counts.1));
+        let bytes = self.plan.total_bytes(voxels, cells);
+        match self.plan.memory_budget {
+            Some(budget) if bytes > budget => Err(Error::OverBudget { bytes, voxels, budget }),
+            _ => Ok((voxels, cells)),
+        }
     }
 
     /// Where the last frame had more voxels than its buffers hold, makes all resources anew, larger: what the frame left in
@@ -189,7 +194,7 @@ impl<'g> Renderer<'g> {
         if self.counts.0 <= self.capacity.0 && self.counts.1 <= self.capacity.1 {
             return Ok(false);
         }
-        self.capacity = self.roomy();
+        self.capacity = self.roomy()?;
         for index in 0..self.objects.len() {
             if self.plan.resources[index].kind != ResourceKind::Scene {
                 self.objects[index] = create(self.gpu, &self.plan, index, Some(self.capacity))?;
@@ -462,6 +467,21 @@ impl<'g> Renderer<'g> {
         match &self.objects[self.plan.resource(name)?] {
             Object::Texture(texture) => Some(texture),
             _ => None,
+        }
+    }
+
+    /// Reads one mip level of a volume of the plan, x fastest. `None` where the plan has no such volume or level.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn volume(&self, name: &str, mip: u32) -> Result<Option<Vec<[f32; 4]>>, Error> {
+        let found =
+            self.plan.resource(name).map(|index| (&self.plan.resources[index].kind, &self.objects[index]));
+        match found {
+            Some((ResourceKind::Volume { mips, .. }, Object::Texture(texture))) if mip < *mips => {
+                image::read_volume(self.gpu, texture, mip).map(Some)
+            }
+            _ => Ok(None),
         }
     }
 

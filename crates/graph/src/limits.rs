@@ -3,8 +3,9 @@
 use voxlume_fault::{Fault, Faults};
 
 use crate::expand::Context;
+use crate::facts::SceneFacts;
 use crate::pipeline::Pipeline;
-use crate::plan::ResourceKind;
+use crate::plan::{Plan, ResourceKind};
 
 /// Largest side of a 2D texture.
 const TEXTURE_2D: u32 = 8192;
@@ -17,6 +18,11 @@ const LAYERS: u32 = 256;
 /// Bytes of one storage buffer binding.
 const STORAGE_BINDING: u64 = 128 << 20;
 
+/// Bytes of a vertex on the device.
+const VERTEX: u64 = 32;
+/// Bytes of a triangle's indices.
+const TRIANGLE: u64 = 12;
+
 pub(crate) fn check_screen(screen: [u32; 2], faults: &mut Faults) {
     let [width, height] = screen;
     if width == 0 || height == 0 || width > TEXTURE_2D || height > TEXTURE_2D {
@@ -26,6 +32,27 @@ pub(crate) fn check_screen(screen: [u32; 2], faults: &mut Faults) {
         let message = format!("an image of {width} × {height} pixels");
         faults.push(Fault::new(message).note(format!("at most {IMAGE_PIXELS} pixels can be read back")));
     }
+}
+
+/// What is known before voxels are counted: the engine checks the rest once they are.
+pub(crate) fn check_budget(plan: &Plan, facts: &SceneFacts) -> Result<(), Fault> {
+    let Some(budget) = plan.memory_budget else { return Ok(()) };
+    let scene = u64::from(facts.vertices) * VERTEX + u64::from(facts.triangles) * TRIANGLE;
+    let needed = plan.total_bytes(0, 0) + scene;
+    if needed <= budget {
+        return Ok(());
+    }
+    let message =
+        format!("the plan needs at least {needed} bytes on the device, over the budget of {budget}");
+    let largest = (0..plan.resources.len()).max_by_key(|index| plan.bytes(*index, 0, 0));
+    let most = largest.map(|index| {
+        let bytes = plan.bytes(index, 0, 0).unwrap_or(0);
+        format!(
+            "most of all `{}`, {bytes} bytes; a lower resolution or a smaller image needs less",
+            plan.resources[index].name
+        )
+    });
+    Err(Fault::new(message).note(most.unwrap_or_default()))
 }
 
 pub(crate) fn check_resources(pipeline: &Pipeline, context: &mut Context<'_>) {
@@ -52,8 +79,8 @@ pub(crate) fn check_resources(pipeline: &Pipeline, context: &mut Context<'_>) {
         context.faults.push(pipeline.fault(&pipeline.resolution.span, message, "at this resolution"));
     }
     let triangles = context.facts.triangles;
-    let vertices = u64::from(context.facts.vertices) * 32;
-    if vertices > STORAGE_BINDING || u64::from(triangles) * 12 > STORAGE_BINDING {
+    let vertices = u64::from(context.facts.vertices) * VERTEX;
+    if vertices > STORAGE_BINDING || u64::from(triangles) * TRIANGLE > STORAGE_BINDING {
         let message = format!(
             "a scene of {triangles} triangles and {} vertices; one buffer of 128 MiB holds 4 Mi vertices, 10 Mi triangles",
             context.facts.vertices

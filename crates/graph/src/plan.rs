@@ -30,6 +30,8 @@ pub struct Plan {
     pub left_out: Vec<LeftOut>,
     /// The image that is the result, in `resources`.
     pub output: usize,
+    /// Bytes that it may take on the device; `None` for as many as there are.
+    pub memory_budget: Option<u64>,
 }
 
 /// A buffer or texture.
@@ -253,6 +255,11 @@ impl Plan {
     /// The resource called `name`.
     pub fn resource(&self, name: &str) -> Option<usize> {
         self.resources.iter().position(|resource| resource.name == name)
+    }
+
+    /// Bytes of all resources but those that the engine supplies.
+    pub fn total_bytes(&self, voxels: u64, cells: u64) -> u64 {
+        (0..self.resources.len()).filter_map(|index| self.bytes(index, voxels, cells)).sum()
     }
 
     /// Bytes of a resource, once the number of occupied voxels and of cells of all levels is known; `None` for

@@ -35,6 +35,8 @@ pub struct Request {
     pub screen: [u32; 2],
     /// Whether the device can filter textures of 32-bit floats.
     pub filters_float32: bool,
+    /// Bytes that the plan may take on the device; `None` for as many as there are.
+    pub memory_budget: Option<u64>,
 }
 
 impl Request {
@@ -49,6 +51,7 @@ impl Request {
             set: Vec::new(),
             screen,
             filters_float32: false,
+            memory_budget: None,
         }
     }
 }
@@ -150,7 +153,7 @@ pub fn plan(
     }
     let Context { shaders, resources, left_out, faults, grid, .. } = context;
     let Some(output) = output.filter(|_| faults.is_empty()) else { return Err(faults) };
-    Ok(Plan {
+    let plan = Plan {
         format: plan_format,
         encoding,
         grid,
@@ -162,7 +165,10 @@ pub fn plan(
         passes,
         left_out,
         output,
-    })
+        memory_budget: request.memory_budget,
+    };
+    limits::check_budget(&plan, facts)?;
+    Ok(plan)
 }
 
 /// Puts the request's words in place of the file's.

@@ -1,9 +1,10 @@
 //! Scenes from files, and the checks and defaults that all of them share.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use voxlume_fault::{Fault, Faults, one_of};
+use voxlume_fault::{Fault, Faults, Source, one_of};
 
 use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
 use crate::{Camera, Scene, gltf, ron};
@@ -22,7 +23,7 @@ impl Scene {
     pub fn load(path: &Path) -> Result<Scene, Faults> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let mut scene = match extension.as_str() {
-            "ron" => ron::load(path)?,
+            "ron" => ron::read(&Source::read(path)?, path)?,
             "gltf" | "glb" => {
                 let mut scene = gltf::load(path)?;
                 gltf::light_if_dark(&mut scene);
@@ -34,6 +35,16 @@ impl Scene {
             }
         };
         finish(&mut scene).map_err(|fault| Fault::new(format!("`{}`: {}", path.display(), fault.message)))?;
+        Ok(scene)
+    }
+
+    /// Reads a scene from a RON text; files that it names are looked for beside `source`'s name.
+    ///
+    /// # Errors
+    /// As [`Scene::load`].
+    pub fn parse(source: &Arc<Source>) -> Result<Scene, Faults> {
+        let mut scene = ron::read(source, Path::new(&source.name))?;
+        finish(&mut scene).map_err(|fault| Fault::new(format!("`{}`: {}", source.name, fault.message)))?;
         Ok(scene)
     }
 }

@@ -90,18 +90,12 @@ use voxlume_fault::{Faults, Source};
 
 use crate::{Moved, Scene};
 
-/// Reads a file.
-pub(crate) fn load(path: &Path) -> Result<Scene, Faults> {
-    let source = Source::read(path)?;
-    let mut scene = read(&source, path.parent().unwrap_or(Path::new("")))?;
-    scene.name = crate::load::stem(path);
-    Ok(scene)
-}
-
-fn read(source: &Arc<Source>, folder: &Path) -> Result<Scene, Faults> {
+/// Reads the text of a file, which is or might be at `path`.
+pub(crate) fn read(source: &Arc<Source>, path: &Path) -> Result<Scene, Faults> {
+    let folder = path.parent().unwrap_or(Path::new(""));
     let document = Document::parse(source)?;
     let mut faults = Faults::default();
-    let mut scene = Scene::default();
+    let mut scene = Scene { name: crate::load::stem(path), ..Scene::default() };
     let mut fields = Fields::of(document.root())?;
 
     if let Some(materials) = fields.node("materials") {

@@ -57,7 +57,9 @@ fn punctual(light: &SceneLight, plan: &Plan, shadow_layer: i32) -> Light {
     let relative = |position: glam::DVec3| (position - plan.grid.centre).as_vec3();
     match light.kind {
         LightKind::Directional { direction, angular_diameter } => {
-            Light { kind: DIRECTIONAL, position: -direction, size: (angular_diameter / 2.0).tan(), ..base }
+            // Just short of a right angle, whose tangent is infinite and in `f32` may be negative.
+            let half = (angular_diameter / 2.0).min(std::f32::consts::FRAC_PI_2 - 1e-4);
+            Light { kind: DIRECTIONAL, position: -direction, size: half.tan(), ..base }
         }
         LightKind::Point { position, radius } => {
             Light { kind: POINT, position: relative(position), size: radius, ..base }
