@@ -17,11 +17,13 @@ mod pipeline;
 mod progress;
 mod reference;
 mod render;
+mod stability;
 mod statistics;
 mod table;
 mod timing;
 mod tone;
 mod voxelize;
+mod words;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -66,6 +68,7 @@ enum Command {
     Reference(reference::Args),
     Explain(explain::Args),
     Check(check::Args),
+    Stability(stability::Args),
     Devices(devices::Args),
 }
 
@@ -120,6 +123,7 @@ fn run(program: &Program, registry: &Registry) -> Result<(), Failure> {
         Command::Reference(args) => reference::run(args, registry),
         Command::Explain(args) => explain::run(args, registry),
         Command::Check(args) => check::run(args, registry),
+        Command::Stability(args) => stability::run(args, registry),
         Command::Devices(args) => devices::run(args),
     }
 }

@@ -16,6 +16,7 @@ mod pareto;
 mod picture;
 mod plot;
 mod results;
+mod stability;
 mod table;
 mod text;
 
@@ -24,8 +25,9 @@ pub use comparison::{Comparison, ComparisonError, Shown};
 pub use csv::csv;
 pub use date::utc_now;
 pub use metric::{Errors, Note};
-pub use page::{Strip, page};
+pub use page::{Strip, page, stability_page};
 pub use pareto::pareto_front;
 pub use picture::{PictureError, png, signed_error};
 pub use results::{Device, OutOfRange, Outcome, Pass, Results, ResultsError, Row, SCHEMA};
+pub use stability::{Stability, StabilityRow};
 pub use table::table;

@@ -2,6 +2,7 @@
 
 mod figures;
 mod pictures;
+mod stability;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,7 +10,9 @@ use std::fmt::Write;
 use self::pictures::{Pictures, ScriptStrip};
 use crate::number::{bytes, mark, mark_bytes, short};
 use crate::plot::{Plot, Point, SERIES, escape};
-use crate::results::{Outcome, Results, Row};
+use crate::results::{Device, Outcome, Results, Row};
+
+pub use stability::stability_page;
 
 /// Pictures of one row, as PNG files.
 #[derive(Clone, Debug)]
@@ -28,19 +31,7 @@ pub struct Strip {
 
 /// The page. `date` and `subtitle` (what was asked for) stand in its head.
 pub fn page(results: &Results, strips: &[Strip], date: &str, subtitle: &str) -> String {
-    let device = &results.device;
-    let mut html = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Voxlume: speed against error</title>\n<style>\n{}</style>\n</head>\n<body>\n\
-         <header><h1>Speed against error</h1>\n<p><b>{}</b> · {} · {}</p>\n<p>{}</p>\n<p>{}</p></header>\n<main>\n",
-        include_str!("page.css"),
-        escape(&device.name),
-        escape(&device.kind),
-        escape(&device.driver),
-        escape(date),
-        escape(subtitle),
-    );
+    let mut html = head("speed against error", &results.device, date, subtitle);
     let mut pictures = Pictures::default();
     let mut scripts = BTreeMap::new();
     for (number, (scene, effect)) in groups(results).into_iter().enumerate() {
@@ -66,6 +57,22 @@ pub fn page(results: &Results, strips: &[Strip], date: &str, subtitle: &str) -> 
         include_str!("page.js")
     );
     html
+}
+
+/// All up to the first section.
+fn head(title: &str, device: &Device, date: &str, subtitle: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>Voxlume: {title}</title>\n<style>\n{}</style>\n</head>\n<body>\n\
+         <header><h1>Voxlume: {title}</h1>\n<p><b>{}</b> · {} · {}</p>\n<p>{}</p>\n<p>{}</p></header>\n<main>\n",
+        include_str!("page.css"),
+        escape(&device.name),
+        escape(&device.kind),
+        escape(&device.driver),
+        escape(date),
+        escape(subtitle),
+    )
 }
 
 /// Scenes and effects in the order in which they come.
@@ -127,6 +134,7 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         error: "RMSE",
         error_text: mark,
         points: by_time,
+        joined: false,
     };
     let size = Plot {
         cost: "bytes of the volume",
@@ -134,6 +142,7 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         error: "RMSE",
         error_text: mark,
         points: by_bytes,
+        joined: false,
     };
     for plot in [time, size] {
         let _ = write!(html, "<figure>{}</figure>", plot.svg());

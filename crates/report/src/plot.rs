@@ -15,6 +15,8 @@ pub(crate) struct Plot<'a> {
     pub(crate) error: &'a str,
     pub(crate) error_text: fn(f64) -> String,
     pub(crate) points: Vec<Point>,
+    /// Points of a series and a label are joined, in their order; else the Pareto front is marked.
+    pub(crate) joined: bool,
 }
 
 /// A point.
@@ -77,7 +79,7 @@ impl Plot<'_> {
         );
 
         let pairs: Vec<(f64, f64)> = shown.iter().map(|point| (point.cost, point.error)).collect();
-        let front = pareto_front(&pairs);
+        let front = if self.joined { vec![false; pairs.len()] } else { pareto_front(&pairs) };
         let mut on_front: Vec<(f64, f64)> =
             pairs.iter().zip(&front).filter(|(_, front)| **front).map(|(pair, _)| *pair).collect();
         on_front.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -91,7 +93,11 @@ impl Plot<'_> {
                 write!(stairs, "{step}{h:.1}V{v:.1}")
             };
         }
-        let _ = write!(svg, "<path class=\"front\" d=\"{stairs}\"/>");
+        if self.joined {
+            svg += &curves(&shown, at_x, at_y);
+        } else {
+            let _ = write!(svg, "<path class=\"front\" d=\"{stairs}\"/>");
+        }
         for (point, front) in shown.iter().zip(front) {
             let (h, v) = (at_x(point.cost), at_y(point.error));
             let _ = write!(svg, "<g class=\"point s{}\" tabindex=\"0\">", point.series % SERIES);
@@ -115,11 +121,28 @@ impl Plot<'_> {
             0 => svg,
             absent => {
                 svg + &format!(
-                    "<p class=\"absent\">{absent} at 0, which has no place on a logarithmic axis.</p>"
+                    "<p class=\"absent\">{absent} at 0, or no number: without a place on a logarithmic axis.</p>"
                 )
             }
         }
     }
+}
+
+/// A line through the points of each series and label.
+fn curves(points: &[&Point], at_x: impl Fn(f64) -> f64, at_y: impl Fn(f64) -> f64) -> String {
+    let mut lines: Vec<((usize, &str), String)> = Vec::new();
+    for point in points {
+        let key = (point.series, point.label.as_str());
+        let place = format!("{:.1} {:.1}", at_x(point.cost), at_y(point.error));
+        match lines.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, line)) => *line += &format!("L{place}"),
+            None => lines.push((key, format!("M{place}"))),
+        }
+    }
+    let path = |((series, _), line): &((usize, &str), String)| {
+        format!("<path class=\"curve s{}\" d=\"{line}\"/>", series % SERIES)
+    };
+    lines.iter().map(path).collect()
 }
 
 /// Text for HTML, also within attributes.
@@ -141,7 +164,7 @@ mod tests {
             title: format!("{cost}"),
         };
         let points = points.iter().map(point).collect();
-        Plot { cost: "ms", cost_text: short, error: "RMSE", error_text: short, points }.svg()
+        Plot { cost: "ms", cost_text: short, error: "RMSE", error_text: short, points, joined: false }.svg()
     }
 
     #[test]
@@ -155,10 +178,9 @@ mod tests {
 
     #[test]
     fn no_place_for_nothing() {
-        assert!(
-            plot(&[(1.0, 0.0), (1.0, 1.0)])
-                .ends_with("<p class=\"absent\">1 at 0, which has no place on a logarithmic axis.</p>")
-        );
+        assert!(plot(&[(1.0, 0.0), (1.0, 1.0)]).ends_with(
+            "<p class=\"absent\">1 at 0, or no number: without a place on a logarithmic axis.</p>"
+        ));
         assert_eq!(plot(&[]), "<p>Nothing to plot.</p>");
         assert!(!plot(&[(1.0, 1.0)]).contains("NaN"));
     }

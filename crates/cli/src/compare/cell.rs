@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use voxlume::{
     Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, check_variant, one_of,
 };
-use voxlume_fault::suggest;
 use voxlume_reference::cache::SceneDigest;
 
 use super::Args;
@@ -13,6 +12,7 @@ use crate::Registry;
 use crate::effect::Effect;
 use crate::failure::Failure;
 use crate::render::camera;
+use crate::words::words;
 
 /// A scene of the sweep.
 pub struct Subject {
@@ -123,25 +123,6 @@ pub fn cells(
         return Err(fault.note(one_of(effects.iter().map(|effect| effect.name()))).into());
     }
     Ok((subjects, cells))
-}
-
-/// The words, each once, or all that there are.
-fn words(what: &str, given: &[String], known: &[&str], faults: &mut Faults) -> Vec<String> {
-    if given == ["all"] {
-        return known.iter().map(|word| (*word).to_owned()).collect();
-    }
-    let mut words: Vec<String> = Vec::new();
-    for word in given {
-        // Options follow the name.
-        let name = word.split(':').next().unwrap_or_default();
-        if !known.contains(&name) {
-            let label = suggest(name, known.iter().copied());
-            faults.push(Fault::new(format!("unknown {what} `{word}`")).note(format!("{label}, or all")));
-        } else if !words.contains(word) {
-            words.push(word.clone());
-        }
-    }
-    words
 }
 
 fn subjects(args: &Args, faults: &mut Faults) -> Vec<Subject> {

@@ -1,0 +1,49 @@
+//! Figures that are known to miss their bounds, and why. The book's page on stability has the same list.
+
+use voxlume_report::StabilityRow;
+
+/// A known miss.
+pub struct Miss {
+    pub case: &'static str,
+    /// Formats; none stands for all.
+    pub formats: &'static [&'static str],
+    /// What the figure's name begins with.
+    pub figure: &'static str,
+    pub reason: &'static str,
+}
+
+/// All of them.
+pub static MISSES: [Miss; 11] = [
+    Miss { case: "leak", formats: &[], figure: "leak", reason: BEHIND },
+    Miss { case: "leak_askew", formats: &[], figure: "leak", reason: BEHIND },
+    Miss { case: "leak_sun", formats: &[], figure: "leak", reason: BEHIND },
+    Miss { case: "leak_black", formats: &[], figure: "leak", reason: LEVELS },
+    Miss { case: "grazing_wall", formats: &["sh2"], figure: "leak", reason: OPPOSITE },
+    Miss { case: "back_to_back", formats: &[], figure: "green over red", reason: ONE_VALUE },
+    Miss { case: "energy_askew", formats: &[], figure: "`", reason: DISJOINT },
+    Miss { case: "furnace", formats: &["isotropic", "six_face"], figure: "irradiance", reason: LEVELS },
+    Miss { case: "furnace", formats: &["sh2"], figure: "irradiance", reason: OPPOSITE },
+    Miss { case: "radiance", formats: &[], figure: "irradiance beside that of 1 at 1e-6", reason: HALF_LOW },
+    Miss { case: "radiance", formats: &[], figure: "irradiance beside that of 1 at 1e5", reason: HALF_HIGH },
+];
+
+const BEHIND: &str = "the filter of a coarse cell reaches back through the wall that a cone leaves, whose other side is lit and \
+                      faces the way that the cone looks";
+const LEVELS: &str = "a coarser cell shifts a wall by up to half a cell, past a sample or behind one";
+const OPPOSITE: &str =
+    "opacity is a signed difference of opposite sides, which interpolates to zero between opposite walls";
+const ONE_VALUE: &str = "a voxel has one colour for all its surfaces, and walls nearer than a voxel share it";
+const DISJOINT: &str = "the farther child shows only where the nearer doesn't cover it on average; pieces of a slanted wall that lie \
+                        beside each other are taken to hide each other";
+const HALF_LOW: &str = "half floats have few bits left below 6·10⁻⁵";
+const HALF_HIGH: &str = "half floats end at 65504, which images are clamped to";
+
+/// Why a row misses its bound, where that is known.
+pub fn reason(row: &StabilityRow) -> Option<&'static str> {
+    let known = MISSES.iter().find(|miss| {
+        miss.case == row.case
+            && (miss.formats.is_empty() || miss.formats.contains(&row.format.as_str()))
+            && row.figure.starts_with(miss.figure)
+    });
+    known.map(|miss| miss.reason)
+}
