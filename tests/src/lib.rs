@@ -2,6 +2,7 @@
 //! device, and what it should be, worked out in `f64`.
 
 mod kernel;
+mod mutate;
 mod overlap;
 mod random;
 mod render;
@@ -9,6 +10,7 @@ mod scenes;
 mod substrate;
 
 pub use kernel::{noise_volume, run_kernel};
+pub use mutate::{mutated_bytes, mutated_text};
 pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
 pub use random::Random;
 pub use render::{gi, gpu, picture, plan_for, render, root};

@@ -25,6 +25,11 @@ impl Random {
         low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
+    /// In `0..count`, which is not empty.
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count as u64) as usize
+    }
+
     /// In the cube between `low` and `high`.
     pub fn point(&mut self, low: f64, high: f64) -> DVec3 {
         DVec3::from_array([(); 3].map(|()| self.between(low, high)))
@@ -33,7 +38,7 @@ impl Random {
     /// Fisher and Yates' shuffle.
     pub fn shuffle<T>(&mut self, list: &mut [T]) {
         for last in (1..list.len()).rev() {
-            list.swap(last, self.bits() as usize % (last + 1));
+            list.swap(last, self.below(last + 1));
         }
     }
 }

@@ -25,48 +25,37 @@ pub(crate) fn texture_bytes(texture: &wgpu::Texture) -> u64 {
 
 /// Reads the first layer.
 pub(crate) fn read(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, Error> {
-    let size = wgpu::Extent3d { depth_or_array_layers: 1, ..texture.size() };
-    let pixels = texels(gpu, texture, 0, size)?;
-    Ok(Picture { width: size.width, height: size.height, pixels })
-}
-
-/// Reads one mip level of a 3D texture, x fastest.
-pub(crate) fn read_volume(gpu: &Gpu, texture: &wgpu::Texture, mip: u32) -> Result<Vec<[f32; 4]>, Error> {
-    texels(gpu, texture, mip, texture.size().mip_level_size(mip, texture.dimension()))
-}
-
-fn texels(
-    gpu: &Gpu,
-    texture: &wgpu::Texture,
-    mip: u32,
-    size: wgpu::Extent3d,
-) -> Result<Vec<[f32; 4]>, Error> {
+    let (width, height) = (texture.width(), texture.height());
     let texel = texture.format().block_copy_size(None).unwrap_or(4);
-    let row = (size.width * texel).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let row = (width * texel).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("picture"),
-        size: u64::from(row) * u64::from(size.height) * u64::from(size.depth_or_array_layers),
+        size: u64::from(row) * u64::from(height),
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     encoder.copy_texture_to_buffer(
-        wgpu::TexelCopyTextureInfo { mip_level: mip, ..texture.as_image_copy() },
+        texture.as_image_copy(),
         wgpu::TexelCopyBufferInfo {
             buffer: &buffer,
             layout: wgpu::TexelCopyBufferLayout {
                 offset: 0,
                 bytes_per_row: Some(row),
-                rows_per_image: Some(size.height),
+                rows_per_image: Some(height),
             },
         },
-        size,
+        wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
     );
     gpu.guarded("reading an image", || gpu.queue.submit([encoder.finish()]))?;
     let bytes = gpu.read(&buffer)?;
     let format = texture.format();
-    let rows = bytes.chunks_exact(row as usize).map(|row| &row[..(size.width * texel) as usize]);
-    Ok(rows.flat_map(|row| row.chunks_exact(texel as usize)).map(|texel| decode(format, texel)).collect())
+    let pixels = bytes
+        .chunks_exact(row as usize)
+        .flat_map(|row| row[..(width * texel) as usize].chunks_exact(texel as usize))
+        .map(|texel| decode(format, texel))
+        .collect();
+    Ok(Picture { width, height, pixels })
 }
 
 fn decode(format: wgpu::TextureFormat, texel: &[u8]) -> [f32; 4] {
@@ -74,10 +63,6 @@ fn decode(format: wgpu::TextureFormat, texel: &[u8]) -> [f32; 4] {
         wgpu::TextureFormat::Rgba16Float => {
             std::array::from_fn(|i| f16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]).to_f32())
         }
-        wgpu::TextureFormat::Rgba32Float => {
-            std::array::from_fn(|i| f32::from_le_bytes(std::array::from_fn(|byte| texel[4 * i + byte])))
-        }
-        wgpu::TextureFormat::Rgba8Unorm => std::array::from_fn(|i| f32::from(texel[i]) / 255.0),
         wgpu::TextureFormat::Depth32Float => {
             let depth = f32::from_le_bytes([texel[0], texel[1], texel[2], texel[3]]);
             [depth, depth, depth, 1.0]

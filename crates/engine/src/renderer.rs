@@ -470,21 +470,6 @@ impl<'g> Renderer<'g> {
         }
     }
 
-    /// Reads one mip level of a volume of the plan, x fastest. `None` where the plan has no such volume or level.
-    ///
-    /// # Errors
-    /// The device is lost.
-    pub fn volume(&self, name: &str, mip: u32) -> Result<Option<Vec<[f32; 4]>>, Error> {
-        let found =
-            self.plan.resource(name).map(|index| (&self.plan.resources[index].kind, &self.objects[index]));
-        match found {
-            Some((ResourceKind::Volume { mips, .. }, Object::Texture(texture))) if mip < *mips => {
-                image::read_volume(self.gpu, texture, mip).map(Some)
-            }
-            _ => Ok(None),
-        }
-    }
-
     /// Reads a buffer of the plan, such as `occupancy`.
     ///
     /// # Errors

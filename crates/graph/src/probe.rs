@@ -102,6 +102,7 @@ pub fn probe(
         passes,
         left_out: Vec::new(),
         output,
+        memory_budget: None,
     })
 }
 

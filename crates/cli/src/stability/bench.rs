@@ -82,11 +82,8 @@ pub fn images(renderer: &Renderer<'_>) -> Vec<String> {
 pub fn volumes(renderer: &Renderer<'_>) -> Result<Vec<(String, u32, Vec<[f32; 4]>)>, Error> {
     let mut levels = Vec::new();
     for name in named(renderer, |kind| matches!(kind, ResourceKind::Volume { .. })) {
-        let mut mip = 0;
-        while let Some(texels) = renderer.volume(&name, mip)? {
-            levels.push((name.clone(), mip, texels));
-            mip += 1;
-        }
+        let texels = renderer.volume(&name)?;
+        levels.extend(texels.into_iter().zip(0..).map(|(level, mip)| (name.clone(), mip, level.values)));
     }
     Ok(levels)
 }

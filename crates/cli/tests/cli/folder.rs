@@ -77,6 +77,13 @@ impl Folder {
         self.file(name, text.replacen(from, to, 1))
     }
 
+    /// The program in this folder, to be started.
+    pub fn command(&self, words: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_voxlume"));
+        command.args(words.split_whitespace()).current_dir(self.path()).env_remove("RUST_LOG");
+        command
+    }
+
     pub fn run(&self, words: &str) -> Ran {
         self.run_with(&words.split_whitespace().collect::<Vec<_>>())
     }

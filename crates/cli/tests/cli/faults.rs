@@ -1,0 +1,197 @@
+//! What the machine may do to the program: a clear message, the right exit code, no half-written file, and what was
+//! finished is kept.
+#![cfg(target_os = "linux")]
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+use serde_json::Value;
+
+use crate::folder::Folder;
+
+const CORNELL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.ron");
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_lost_device_writes_nothing() {
+    let folder = Folder::new();
+    let before = folder.contents();
+    let lost = folder
+        .command(&format!("render {CORNELL} --resolution 16 --size 16x16 -o out.png --json out.json"))
+        .env("VOXLUME_LOSE_DEVICE_AFTER", "12")
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(lost.stderr).unwrap();
+    assert_eq!(lost.status.code(), Some(1), "{stderr}");
+    assert!(stderr.contains("error: the device was lost: Destroyed"), "{stderr}");
+    assert_eq!(folder.contents(), before);
+}
+
+/// Only the cell at hand: those after it get a device that works.
+#[test]
+fn a_lost_device_loses_one_cell() {
+    let folder = Folder::new();
+    let ran = folder
+        .command(&format!(
+            "compare {CORNELL} --size 16x16 --resolutions 16 --spp 2 --repeat 1 --formats isotropic --effects soft_shadow,diffuse --out out"
+        ))
+        .env("VOXLUME_LOSE_DEVICE_AFTER", "12")
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(ran.stderr).unwrap();
+    assert_eq!(ran.status.code(), Some(1), "{stderr}");
+    assert!(stderr.ends_with("1 of 2 cells failed; results.json says why\n"), "{stderr}");
+    let results: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("out/results.json")).unwrap()).unwrap();
+    assert!(results["rows"][0]["fault"].as_str().unwrap().contains("the device was lost"), "{results}");
+    assert!(results["rows"][1]["error"]["rmse"].is_f64(), "{results}");
+}
+
+#[test]
+fn a_plan_over_its_budget_is_refused_before_the_device_is_asked() {
+    let folder = Folder::new();
+    let ran = folder.run(&format!("render {CORNELL} --resolution 128 --memory-budget 8 -o out.png"));
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("error: the plan needs at least "), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains(" bytes on the device, over the budget of 8388608\n = most of all `"),
+        "{}",
+        ran.stderr
+    );
+    assert!(!ran.stderr.contains("compiling"), "{}", ran.stderr);
+    // Enough for what is known beforehand, not for the voxels that are counted then.
+    let ran =
+        folder.run(&format!("render {CORNELL} --resolution 128 --size 16x16 --memory-budget 22 -o out.png"));
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("occupied voxels, over the budget of 23068672: choose a lower resolution"),
+        "{}",
+        ran.stderr
+    );
+    assert!(!folder.path().join("out.png").exists());
+}
+
+/// A folder on a disk of 64 KiB, if this process may mount one.
+struct SmallDisk<'f>(&'f Path);
+
+impl SmallDisk<'_> {
+    fn new(at: &Path) -> Option<SmallDisk<'_>> {
+        let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "tmpfs"]).arg(at).output();
+        match mounted {
+            Ok(output) if output.status.success() => Some(SmallDisk(at)),
+            other => {
+                println!("skipped: no small disk can be mounted here: {other:?}");
+                None
+            }
+        }
+    }
+}
+
+impl Drop for SmallDisk<'_> {
+    fn drop(&mut self) {
+        let _ = Command::new("umount").arg(self.0).status();
+    }
+}
+
+#[test]
+fn a_full_disk_leaves_the_old_file_and_no_half_of_the_new_one() {
+    let folder = Folder::new();
+    let at = folder.path().join("disk");
+    fs::create_dir(&at).unwrap();
+    let Some(_disk) = SmallDisk::new(&at) else { return };
+    fs::write(at.join("out.exr"), "old").unwrap();
+    let ran = folder.run(&format!("render {CORNELL} --resolution 16 --size 256x256 -o disk/out.exr"));
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("cannot write `") && ran.stderr.contains("No space left on device"),
+        "{}",
+        ran.stderr
+    );
+    assert_eq!(names(&at), ["out.exr"]);
+    assert_eq!(fs::read_to_string(at.join("out.exr")).unwrap(), "old");
+}
+
+#[test]
+fn standard_output_that_is_full() {
+    let folder = Folder::new();
+    let ran = folder.command("stability --list").stdout(File::create("/dev/full").unwrap()).output().unwrap();
+    assert_eq!(ran.status.code(), Some(1));
+    let stderr = String::from_utf8(ran.stderr).unwrap();
+    assert_eq!(stderr, "error: cannot write to the standard output: No space left on device (os error 28)\n");
+}
+
+/// Starts, waits until stderr says `until`, and sends Ctrl-C. The rest of stderr.
+fn interrupted(mut command: Command, until: &str) -> (Option<i32>, String) {
+    let mut child: Child = command.stderr(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut stderr = child.stderr.take().unwrap();
+    let mut told = Vec::new();
+    let mut byte = [0];
+    while !String::from_utf8_lossy(&told).contains(until) && stderr.read(&mut byte).unwrap() == 1 {
+        told.push(byte[0]);
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    stderr.read_to_end(&mut told).unwrap();
+    (child.wait().unwrap().code(), String::from_utf8(told).unwrap())
+}
+
+#[test]
+fn ctrl_c_while_frames_are_rendered() {
+    let folder = Folder::new();
+    let before = folder.contents();
+    let words = format!("render {CORNELL} --resolution 16 --size 16x16 --repeat 100000 -o out.png");
+    let (code, stderr) = interrupted(folder.command(&words), "rendering");
+    assert_eq!(code, Some(1), "{stderr}");
+    assert!(stderr.ends_with("error: interrupted; nothing was written\n"), "{stderr}");
+    assert_eq!(folder.contents(), before);
+}
+
+#[test]
+fn ctrl_c_while_a_reference_is_traced() {
+    let folder = Folder::new();
+    let before = folder.contents();
+    let words = format!("reference {CORNELL} --size 512x512 --spp 1000000 -o out.exr");
+    let (code, stderr) = interrupted(folder.command(&words), "tracing");
+    assert_eq!(code, Some(1), "{stderr}");
+    assert!(stderr.ends_with("error: interrupted; nothing was written\n"), "{stderr}");
+    assert_eq!(folder.contents(), before);
+}
+
+/// What is finished is kept, and the same command goes on from there.
+#[test]
+fn ctrl_c_in_a_sweep() {
+    let folder = Folder::new();
+    let words = format!(
+        "compare {CORNELL} --size 16x16 --resolutions 16 --spp 2 --repeat 2000 --formats all --effects diffuse --out out"
+    );
+    let (code, stderr) = interrupted(folder.command(&words), "cell 2/3");
+    assert_eq!(code, Some(1), "{stderr}");
+    assert!(stderr.contains("error: interrupted: "), "{stderr}");
+    assert!(
+        stderr.contains("of 3 cells are finished and kept in `out`; the same command goes on from there"),
+        "{stderr}"
+    );
+    assert!(!names(&folder.path().join("out/cells")).is_empty());
+    assert!(!folder.path().join("out/results.json").exists());
+}
+
+#[test]
+fn ctrl_c_among_hard_cases_keeps_what_is_finished() {
+    let folder = Folder::new();
+    let (code, stderr) =
+        interrupted(folder.command("stability --resolutions 16 --size 16x16 --json out.json"), "cell 1/");
+    assert_eq!(code, Some(1), "{stderr}");
+    assert!(stderr.contains("error: interrupted: "), "{stderr}");
+    let json: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("out.json")).unwrap()).unwrap();
+    assert!(!json["rows"].as_array().unwrap().is_empty());
+}
