@@ -49,7 +49,10 @@ pub fn mutated_text(text: &str, random: &mut Random) -> String {
         let (from, to) = range(&text, random);
         match random.below(6) {
             0 => text.replace_range(from..to, ""),
-            1 => text.insert_str(to, &text[from..to].to_owned()),
+            1 => {
+                let part = text[from..to].to_owned();
+                text.insert_str(to, &part);
+            }
             2 => text.truncate(from),
             3 => text.insert_str(from, TOKENS[random.below(TOKENS.len())]),
             4 => {

@@ -78,8 +78,11 @@ pub fn images(renderer: &Renderer<'_>) -> Vec<String> {
     named(renderer, |kind| matches!(kind, ResourceKind::Image { .. }))
 }
 
-/// Every level of every volume: name, mip level, texels.
-pub fn volumes(renderer: &Renderer<'_>) -> Result<Vec<(String, u32, Vec<[f32; 4]>)>, Error> {
+/// A level of a volume: name, mip level, texels.
+pub type Level = (String, u32, Vec<[f32; 4]>);
+
+/// Every level of every volume.
+pub fn volumes(renderer: &Renderer<'_>) -> Result<Vec<Level>, Error> {
     let mut levels = Vec::new();
     for name in named(renderer, |kind| matches!(kind, ResourceKind::Volume { .. })) {
         let texels = renderer.volume(&name)?;
