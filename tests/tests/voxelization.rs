@@ -183,3 +183,31 @@ fn a_grid_smaller_than_the_scene() {
     let plan = voxlume_tests::plan_for(&pipeline, &scene, &Request::image(16, 16));
     assert!(plan.left_out.iter().any(|item| item.what == "what lies outside the grid"));
 }
+
+/// A floor's edge that runs through the middle of voxels: half of what they show is floor.
+#[test]
+fn coverage_by_area() {
+    // 29 of 32 voxels: voxels of size 1, 0 at 1.5.
+    let corner = |x: f32, z: f32| Vec3::new(x, 10.0, z);
+    let [a, b, c, d] = [corner(0.5, 0.5), corner(4.0, 0.5), corner(0.5, 4.5), corner(4.0, 4.5)];
+    let scene = scene_of(vec![triangles(&[[a, b, d], [a, d, c]]), span(29.0)], 29.0);
+    let area = Value::Word("area".into());
+    let request = Request {
+        resolution: Some(32),
+        output: Some("diffuse".into()),
+        set: vec![("voxelize".into(), "coverage".into(), area)],
+        ..Request::image(16, 16)
+    };
+    let substrate = Substrate::read(&render(&gi(), &scene, &request));
+    // Units per voxel face with so few triangles.
+    let whole = 1 << 20;
+    for z in 2..6 {
+        for (x, share) in [(2, whole), (3, whole), (4, whole), (5, whole / 2)] {
+            let cell = glam::UVec3::new(x, 11, z);
+            let (word, bit) = substrate.place(cell, 0);
+            let below = (substrate.occupancy[word] & ((1 << bit) - 1)).count_ones();
+            let sums = substrate.voxels().nth((substrate.ranks[word] + below) as usize).unwrap();
+            assert_eq!(*sums.last().unwrap(), share, "{cell}");
+        }
+    }
+}
