@@ -3,7 +3,7 @@
 
 import package::common::basis::basis_around;
 import package::common::cone::{ConeSettings, cone_trace};
-import package::common::diffuse_cones::{DIFFUSE_CONES, diffuse_cone, diffuse_direction, diffuse_weight};
+import package::common::diffuse_cones::{DiffuseCones, FULL_RING, diffuse_cone, diffuse_direction, diffuse_weight};
 import package::common::frame::frame;
 import package::common::surface::Surface;
 
@@ -20,11 +20,12 @@ fn effect(surface: Surface, params: Params) -> vec4f {
     let longest = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
     let tangents = basis_around(surface.normal);
     var open = vec4f(0.0);
-    for (var i = 0; i < DIFFUSE_CONES; i++) {
-        let cone = diffuse_cone(surface.position_voxel, tangents, i, 1.0, params.distance * longest);
+    let cones = DiffuseCones(FULL_RING, 0.0);
+    for (var i = 0u; i <= cones.ring; i++) {
+        let cone = diffuse_cone(surface.position_voxel, tangents, cones, i, 1.0, params.distance * longest);
         let value = cone_trace(cone, ConeSettings(params.stepper, params.step), 0.0);
-        let weight = diffuse_weight(i) * (1.0 - value.a);
-        open += weight * vec4f(tangents * diffuse_direction(i), 1.0);
+        let weight = diffuse_weight(cones, i) * (1.0 - value.a);
+        open += weight * vec4f(tangents * diffuse_direction(cones, i), 1.0);
     }
     let size = length(open.xyz);
     // Where nothing is open there is no such direction: the normal stays.
