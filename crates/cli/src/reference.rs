@@ -63,6 +63,8 @@ pub struct Args {
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let files = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let files: Vec<(Kind, OutFile)> = files.collect::<Result<_, voxlume::Fault>>()?;
+    // From here on, so that it counts whenever it comes.
+    interrupt::wish();
     let mut progress = Progress::new();
     progress.stage(format!("loading {}", args.scene.display()));
     let mut scene = Scene::load(&args.scene)?;

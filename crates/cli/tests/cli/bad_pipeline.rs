@@ -37,7 +37,7 @@ fn unknown_words_of_the_file_all_at_once() {
     let folder = Folder::new();
     folder.file(
         "pipe.ron",
-        PIPELINE.replace("isotropic", "isotropi").replace("16float", "9").replace("32", "33"),
+        PIPELINE.replace("isotropic", "isotropi").replace("16float", "9").replace("32", "5"),
     );
     folder.refuses(
         RENDER,
