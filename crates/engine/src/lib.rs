@@ -1,9 +1,11 @@
 //! The only user of wgpu: carries out a plan on a device.
 
+mod encode;
 mod error;
 mod gpu;
 mod image;
 mod program;
+mod read;
 mod renderer;
 mod resources;
 mod timing;
@@ -13,6 +15,7 @@ mod volume;
 pub use error::Error;
 pub use gpu::Gpu;
 pub use image::Picture;
-pub use renderer::{OutOfRange, Passes, Renderer};
+pub use read::OutOfRange;
+pub use renderer::{Passes, Renderer};
 pub use timing::{Clock, PassTime};
 pub use volume::Texels;

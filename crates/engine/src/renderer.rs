@@ -2,28 +2,27 @@
 
 use std::time::Instant;
 
-use voxlume_graph::{Groups, Plan, ResourceKind, SceneFacts, Step, Vertices};
+use voxlume_graph::{Plan, ResourceKind, SceneFacts, Step};
 use voxlume_scene::{Camera, Scene};
 
-use crate::image::Picture;
-use crate::program::{BindGroups, Programs, Ready};
+use crate::program::{Programs, Ready};
 use crate::resources::{Object, SceneObjects, create};
 use crate::timing::{Clock, PassTime, Queries};
 use crate::upload::frame::Frame;
-use crate::{Error, Gpu, image};
+use crate::{Error, Gpu};
 
 /// A scene on a device, ready to be seen.
 pub struct Renderer<'g> {
     pub(crate) gpu: &'g Gpu,
-    plan: Plan,
+    pub(crate) plan: Plan,
     facts: SceneFacts,
-    scene: SceneObjects,
+    pub(crate) scene: SceneObjects,
     pub(crate) objects: Vec<Object>,
     /// By pass and step; `None` for what is no program.
     ready: Vec<Vec<Option<Ready>>>,
     programs: Programs,
     queries: Option<Queries>,
-    counts: (u64, u64),
+    pub(crate) counts: (u64, u64),
     /// What the buffers that depend on these counts were made for.
     capacity: (u64, u64),
     /// Whether passes that run once have run.
@@ -43,27 +42,6 @@ pub enum Passes {
     Changed,
     /// All of them, also those that would have to run only once: for timing.
     All,
-}
-
-/// Values that an encoding could not hold and clamped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OutOfRange {
-    /// How many texels had one.
-    pub values: u32,
-    /// The largest, without its sign.
-    pub worst: f32,
-    /// The largest that the encoding holds.
-    pub range: f32,
-}
-
-impl std::fmt::Display for OutOfRange {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let OutOfRange { values, worst, range } = self;
-        write!(
-            f,
-            "{values} texels out of the encoding's range of {range} were clamped; the largest value is {worst}"
-        )
-    }
 }
 
 impl<'g> Renderer<'g> {
@@ -277,243 +255,6 @@ impl<'g> Renderer<'g> {
     fn time(&self, pass: usize, milliseconds: f64, clock: Clock) -> PassTime {
         PassTime { pass, name: self.plan.passes[pass].name.clone(), milliseconds, clock }
     }
-
-    fn encode(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        steps: &[Step],
-        ready: &[Option<Ready>],
-        queries: Option<(&Queries, u32)>,
-    ) {
-        // Runs of dispatches share a compute pass; the first and the last pass of all carry the timestamps.
-        let runs = runs(steps);
-        let timed =
-            |run: &std::ops::Range<usize>| !matches!(steps[run.start], Step::Clear(_) | Step::Copy { .. });
-        let (first, last) = (runs.iter().position(timed), runs.iter().rposition(timed));
-        for (number, run) in runs.iter().enumerate() {
-            let ends = (Some(number) == first, Some(number) == last);
-            match &steps[run.start] {
-                Step::Clear(resource) => {
-                    if let Object::Buffer(buffer) = &self.objects[*resource] {
-                        encoder.clear_buffer(buffer, 0, None);
-                    }
-                }
-                Step::Copy { from, to } => {
-                    if let (Object::Buffer(from), Object::Buffer(to)) =
-                        (&self.objects[*from], &self.objects[*to])
-                    {
-                        encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
-                    }
-                }
-                Step::Counted => {}
-                Step::Compute { .. } => {
-                    let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                        label: None,
-                        timestamp_writes: queries.and_then(|(q, index)| q.compute(index, ends)),
-                    });
-                    for index in run.clone() {
-                        self.dispatch(&mut pass, &steps[index], &ready[index]);
-                    }
-                }
-                Step::Raster { target, vertices, .. } => {
-                    let writes = queries.and_then(|(q, index)| q.render(index, ends));
-                    self.raster(encoder, *target, *vertices, &ready[run.start], writes);
-                }
-                Step::Draw { colors, depth, reversed, .. } => {
-                    let writes = queries.and_then(|(q, index)| q.render(index, ends));
-                    self.draw(encoder, colors, *depth, *reversed, &ready[run.start], writes);
-                }
-            }
-        }
-    }
-
-    fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, step: &Step, ready: &Option<Ready>) {
-        let (Step::Compute { groups, .. }, Some(Ready::Compute(pipeline, bind_groups))) = (step, ready)
-        else {
-            return;
-        };
-        pass.set_pipeline(pipeline);
-        for (index, group) in used(bind_groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        match groups {
-            Groups::Fixed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
-            Groups::Indirect { resource, offset } => {
-                if let Object::Buffer(buffer) = &self.objects[*resource] {
-                    pass.dispatch_workgroups_indirect(buffer, *offset);
-                }
-            }
-        }
-    }
-
-    fn raster(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        target: usize,
-        vertices: Vertices,
-        ready: &Option<Ready>,
-        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
-    ) {
-        let (Object::Texture(texture), Some(Ready::Draw(pipeline, bind_groups))) =
-            (&self.objects[target], ready)
-        else {
-            return;
-        };
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let ops = wgpu::Operations {
-            load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-            store: wgpu::StoreOp::Discard,
-        };
-        let attachment =
-            wgpu::RenderPassColorAttachment { view: &view, depth_slice: None, resolve_target: None, ops };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(attachment)],
-            timestamp_writes,
-            ..Default::default()
-        });
-        pass.set_pipeline(pipeline);
-        for (index, group) in used(bind_groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        match vertices {
-            Vertices::Fixed(count) => pass.draw(0..count, 0..1),
-            Vertices::Indirect { resource, offset } => {
-                if let Object::Buffer(buffer) = &self.objects[resource] {
-                    pass.draw_indirect(buffer, offset);
-                }
-            }
-        }
-    }
-
-    fn draw(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        colors: &[Option<usize>],
-        (depth, layer): (usize, u32),
-        reversed: bool,
-        ready: &Option<Ready>,
-        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
-    ) {
-        let view = |index: usize, layer: u32| match &self.objects[index] {
-            Object::Texture(texture) => Some(texture.create_view(&wgpu::TextureViewDescriptor {
-                dimension: Some(wgpu::TextureViewDimension::D2),
-                base_array_layer: layer,
-                array_layer_count: Some(1),
-                ..Default::default()
-            })),
-            _ => None,
-        };
-        let views: Vec<_> = colors.iter().map(|color| color.and_then(|index| view(index, 0))).collect();
-        let (Some(depth_view), Some(Ready::Draw(pipeline, bind_groups))) = (view(depth, layer), ready) else {
-            return;
-        };
-        let attachments: Vec<_> = views
-            .iter()
-            .map(|view| {
-                let ops = wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                };
-                view.as_ref().map(|view| wgpu::RenderPassColorAttachment {
-                    view,
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops,
-                })
-            })
-            .collect();
-        let clear = wgpu::LoadOp::Clear(if reversed { 0.0 } else { 1.0 });
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &attachments,
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth_view,
-                depth_ops: Some(wgpu::Operations { load: clear, store: wgpu::StoreOp::Store }),
-                stencil_ops: None,
-            }),
-            timestamp_writes,
-            ..Default::default()
-        });
-        pass.set_pipeline(pipeline);
-        for (index, group) in used(bind_groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        pass.set_index_buffer(self.scene.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.scene.index_count, 0, 0..1);
-    }
-
-    /// Reads an image of the plan, linear.
-    ///
-    /// # Errors
-    /// The plan has no such image, or the device is lost.
-    pub fn picture(&self, name: &str) -> Result<Picture, Error> {
-        let found = self.plan.resource(name).and_then(|index| match &self.objects[index] {
-            Object::Texture(texture)
-                if matches!(self.plan.resources[index].kind, ResourceKind::Image { .. }) =>
-            {
-                Some(texture)
-            }
-            _ => None,
-        });
-        let Some(texture) = found else {
-            let images = self.plan.resources.iter().filter(|r| matches!(r.kind, ResourceKind::Image { .. }));
-            let known = images.map(|resource| resource.name.clone()).collect();
-            return Err(Error::NoSuchImage { name: name.to_owned(), known });
-        };
-        image::read(self.gpu, texture)
-    }
-
-    /// The texture of an image of the plan.
-    pub fn texture(&self, name: &str) -> Option<&wgpu::Texture> {
-        match &self.objects[self.plan.resource(name)?] {
-            Object::Texture(texture) => Some(texture),
-            _ => None,
-        }
-    }
-
-    /// Reads a buffer of the plan, such as `occupancy`.
-    ///
-    /// # Errors
-    /// The device is lost. `None` where the plan has no such buffer.
-    pub fn buffer(&self, name: &str) -> Result<Option<Vec<u8>>, Error> {
-        let Some(Object::Buffer(buffer)) = self.plan.resource(name).map(|index| &self.objects[index]) else {
-            return Ok(None);
-        };
-        let read = self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read"),
-            size: buffer.size(),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        encoder.copy_buffer_to_buffer(buffer, 0, &read, 0, buffer.size());
-        self.gpu.guarded("reading a buffer", || self.gpu.queue.submit([encoder.finish()]))?;
-        self.gpu.read(&read).map(Some)
-    }
-
-    /// What the volume's encoding could not hold in the last frame; `None` where it could hold everything.
-    ///
-    /// # Errors
-    /// The device is lost.
-    pub fn out_of_range(&self) -> Result<Option<OutOfRange>, Error> {
-        let Some(bytes) = self.buffer("out_of_range")? else { return Ok(None) };
-        let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
-        let (values, worst) = (word(0), f32::from_bits(word(4)));
-        Ok((values > 0).then_some(OutOfRange { values, worst, range: self.plan.encoding.range() }))
-    }
-
-    /// Bytes of each of the plan's resources.
-    pub fn bytes(&self) -> Vec<(String, u64)> {
-        let (voxels, cells) = self.counts;
-        let size = |index: usize| match &self.objects[index] {
-            Object::Buffer(buffer) => Some(buffer.size()),
-            Object::Texture(texture) if self.plan.resources[index].kind == ResourceKind::Scene => {
-                Some(image::texture_bytes(texture))
-            }
-            _ => self.plan.bytes(index, voxels, cells),
-        };
-        let resources = self.plan.resources.iter().enumerate();
-        resources.filter_map(|(index, resource)| Some((resource.name.clone(), size(index)?))).collect()
-    }
 }
 
 /// A step's program, bound; `None` for what is no program.
@@ -533,23 +274,4 @@ fn ready(
             Some(programs.draw(gpu, plan, objects, label, program, colors, *reversed)?)
         }
     })
-}
-
-fn used(groups: &BindGroups) -> impl Iterator<Item = (u32, &wgpu::BindGroup)> {
-    groups.iter().enumerate().filter_map(|(index, group)| Some((index as u32, group.as_ref()?)))
-}
-
-/// Steps that go into one pass of the encoder together.
-fn runs(steps: &[Step]) -> Vec<std::ops::Range<usize>> {
-    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
-    for (index, step) in steps.iter().enumerate() {
-        let joins = matches!(step, Step::Compute { .. })
-            && runs.last().is_some_and(|run| matches!(steps[run.start], Step::Compute { .. }));
-        match runs.last_mut() {
-            Some(run) if joins => run.end = index + 1,
-            _ if matches!(step, Step::Counted) => {}
-            _ => runs.push(index..index + 1),
-        }
-    }
-    runs
 }

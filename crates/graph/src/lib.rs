@@ -3,12 +3,14 @@
 //! A [`Pipeline`] is a RON file; [`plan`] checks it against the shaders and storage formats, leaves out what the
 //! scene doesn't need, and gives a [`Plan`] that an engine carries out.
 
+mod entries;
 mod expand;
 mod explain;
 mod facts;
 mod grid;
 mod kind;
 mod limits;
+mod live;
 mod order;
 mod params;
 mod pipeline;
