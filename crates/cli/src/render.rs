@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use voxlume::{Camera, Fault, Gpu, Passes, Pipeline, Renderer, Scene};
 use voxlume_fault::suggest;
+use voxlume_report::OutOfRange;
 
 use crate::Registry;
 use crate::args::ImageArgs;
@@ -122,8 +123,8 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     }
 
     progress.stage("writing".into());
-    let report = report(&gpu, &scene, &renderer, &frames);
     let clamped = renderer.out_of_range()?;
+    let report = report(&gpu, &scene, &renderer, &frames, clamped);
     let name = &renderer.plan().resources[renderer.plan().output].name;
     let picture = renderer.picture(name)?;
     let shown = channel_shown(&pipeline, args, name);
@@ -161,7 +162,13 @@ pub fn camera<'s>(scene: &'s Scene, name: Option<&str>) -> Result<&'s Camera, Fa
     found.ok_or_else(|| Fault::new(format!("unknown camera `{name}`")).note(suggest(name, names)))
 }
 
-fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) -> Report {
+fn report(
+    gpu: &Gpu,
+    scene: &Scene,
+    renderer: &Renderer<'_>,
+    frames: &Frames,
+    clamped: Option<voxlume::OutOfRange>,
+) -> Report {
     let plan = renderer.plan();
     Report {
         schema: 1,
@@ -174,6 +181,7 @@ fn report(gpu: &Gpu, scene: &Scene, renderer: &Renderer<'_>, frames: &Frames) ->
         total_ms: frames.total().0,
         resources: renderer.bytes().into_iter().map(|(name, bytes)| Resource { name, bytes }).collect(),
         occupied_voxels: renderer.counts().0,
+        out_of_range: clamped.map(|clamped| OutOfRange { texels: clamped.values, worst: clamped.worst }),
         frames: None,
     }
 }

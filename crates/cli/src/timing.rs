@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use voxlume::{Clock, PassTime};
-use voxlume_report::{Device, Pass};
+use voxlume_report::{Device, OutOfRange, Pass};
 
 use crate::statistics::median_and_spread;
 use crate::table::Table;
@@ -30,6 +30,9 @@ pub struct Report {
     pub resources: Vec<Resource>,
     /// Voxels that a triangle touches.
     pub occupied_voxels: u64,
+    /// What the encoding could not hold; absent where it held all. With several frames, of the last.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub out_of_range: Option<OutOfRange>,
     /// Which frames of the animation these are; absent for a still picture.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<Numbers>,

@@ -121,7 +121,8 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     }
 
     let numbers = Numbers { first: range.start, end: range.end, fps };
-    let mut report = report(&gpu, &scene, &renderer, &frames);
+    let clamped = renderer.out_of_range()?;
+    let mut report = report(&gpu, &scene, &renderer, &frames, clamped);
     report.frames = Some(numbers);
     if let Some(file) = json {
         outfile::write(&[(file, super::json(&report)?)])?;

@@ -102,3 +102,21 @@ fn unknown_adapter() {
         ran.stderr
     );
 }
+
+#[test]
+fn what_the_encoding_clamps_is_told() {
+    let folder = Folder::new();
+    let told = |encoding: &str| {
+        let cornell = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.ron");
+        let ran = folder.run(&format!(
+            "render {cornell} --encoding {encoding} --resolution 16 --size 16x16 -o a.png --json t.json"
+        ));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let text = std::fs::read_to_string(folder.path().join("t.json")).unwrap();
+        let json: Value = serde_json::from_str(&text).unwrap();
+        (ran.stdout.contains("were clamped"), json["out_of_range"]["texels"].as_u64())
+    };
+    let (note, texels) = told("rgba8:range=0.01");
+    assert!(note && texels.unwrap() > 0);
+    assert_eq!(told("rgba16float"), (false, None));
+}
