@@ -3,7 +3,8 @@
 use voxlume_graph::{Groups, Step, Vertices};
 
 use crate::Renderer;
-use crate::program::{BindGroups, Ready};
+use crate::bind::BindGroups;
+use crate::program::Ready;
 use crate::resources::Object;
 use crate::timing::Queries;
 
@@ -101,10 +102,7 @@ impl Renderer<'_> {
             timestamp_writes,
             ..Default::default()
         });
-        pass.set_pipeline(pipeline);
-        for (index, group) in used(bind_groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
+        set(&mut pass, pipeline, bind_groups);
         match vertices {
             Vertices::Fixed(count) => pass.draw(0..count, 0..1),
             Vertices::Indirect { resource, offset } => {
@@ -163,12 +161,16 @@ impl Renderer<'_> {
             timestamp_writes,
             ..Default::default()
         });
-        pass.set_pipeline(pipeline);
-        for (index, group) in used(bind_groups) {
-            pass.set_bind_group(index, group, &[]);
-        }
+        set(&mut pass, pipeline, bind_groups);
         pass.set_index_buffer(self.scene.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.scene.index_count, 0, 0..1);
+    }
+}
+
+fn set(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, bind_groups: &BindGroups) {
+    pass.set_pipeline(pipeline);
+    for (index, group) in used(bind_groups) {
+        pass.set_bind_group(index, group, &[]);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The only user of wgpu: carries out a plan on a device.
 
+mod bind;
 mod encode;
 mod error;
 mod gpu;
