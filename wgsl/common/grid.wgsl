@@ -28,14 +28,22 @@ fn level_first_word(level: u32) -> u32 {
     return frame.level_words[level / 4][level % 4];
 }
 
-fn cell_word(cell: vec3u, level: u32) -> u32 {
+// Cells along a brick's sides as powers of two, and how far apart their bits are.
+const BRICK_SHIFT = vec3u(2, 2, 1);
+const BRICK_BITS = vec3u(1, 4, 16);
+
+// Words from a brick to the next along each axis.
+fn brick_strides(level: u32) -> vec3u {
     let bricks = brick_count(level);
-    let brick = cell / vec3u(4, 4, 2);
-    return level_first_word(level) + (brick.z * bricks.y + brick.y) * bricks.x + brick.x;
+    return vec3u(1, bricks.x, bricks.x * bricks.y);
+}
+
+fn cell_word(cell: vec3u, level: u32) -> u32 {
+    return level_first_word(level) + dot(cell >> BRICK_SHIFT, brick_strides(level));
 }
 
 fn cell_bit(cell: vec3u) -> u32 {
-    return (cell.z & 1) * 16 + (cell.y & 3) * 4 + (cell.x & 3);
+    return dot(cell & vec3u(3, 3, 1), BRICK_BITS);
 }
 
 fn bit_offset(bit: u32) -> vec3u {

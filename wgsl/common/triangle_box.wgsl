@@ -6,25 +6,37 @@ import package::common::frame::frame;
 
 override CONSERVATIVE: bool = true;
 
+// The bounds that a projection's three edges set to one coordinate of a cell by another: slope·coordinate + offset, from
+// below where `lower`, else from above.
+struct EdgeBounds {
+    slope: vec3f,
+    offset: vec3f,
+    lower: vec3<bool>,
+}
+
 struct TriangleBox {
     // Cells of the bounding box within the grid, inclusive; empty where any min > max.
     cell_min: vec3i,
     // Dominant axis of the normal: 0, 1, 2.
     axis: u32,
     cell_max: vec3i,
-    // Depth range over a column's base: z in [lo, hi] - slope·base.
-    depth_lo: f32,
-    slope: vec2f,
-    depth_hi: f32,
     // Projected along z, voxel².
     area: f32,
-    // A base cell b, or a side cell, is inside the edge's projection where dot(edge.xy, b) + edge.z >= 0.
-    edges_xy: array<vec3f, 3>,
-    edges_yz: array<vec3f, 3>,
-    edges_zx: array<vec3f, 3>,
+    // Depth range over a column's base: z in [lo, hi] - slope·base.
+    slope: vec2f,
+    depth_lo: f32,
+    depth_hi: f32,
+    // What x is in a row of columns, and z by y and by x.
+    x_by_y: EdgeBounds,
+    z_by_y: EdgeBounds,
+    z_by_x: EdgeBounds,
 }
 
 fn swizzle(v: vec3f, axis: u32) -> vec3f {
+    return select(select(v.xyz, v.zxy, vec3<bool>(axis == 1)), v.yzx, vec3<bool>(axis == 0));
+}
+
+fn swizzle_cell(v: vec3u, axis: u32) -> vec3u {
     return select(select(v.xyz, v.zxy, vec3<bool>(axis == 1)), v.yzx, vec3<bool>(axis == 0));
 }
 
@@ -38,12 +50,20 @@ fn dominant_axis(normal: vec3f) -> u32 {
     return select(select(2u, 1u, size.y > size.z), 0u, size.x >= size.y && size.x >= size.z);
 }
 
-fn edge_test(edge: vec2f, vertex: vec2f, facing: f32) -> vec3f {
-    let n = vec2f(-edge.y, edge.x) * sign(facing);
-    if (CONSERVATIVE) {
-        return vec3f(n, max(0.0, n.x) + max(0.0, n.y) - dot(n, vertex));
+// Of an edge that is parallel to the bounded coordinate, voxels: so steep that it bounds all of it or nothing.
+const PARALLEL = 1e-12;
+
+// A cell (u, v) is on the inner side of an edge with normal n where n·(u, v) + c >= 0 (RAU figures 4.4 and 4.5), which
+// bounds u by v. Corners are (u, v); `facing` is positive where they turn from u to v.
+fn edge_bounds(u: vec3f, v: vec3f, facing: f32) -> EdgeBounds {
+    let n_u = (v - v.yzx) * sign(facing);
+    let n_v = (u.yzx - u) * sign(facing);
+    var c = max(n_u, vec3f(0.0)) + max(n_v, vec3f(0.0));
+    if (!CONSERVATIVE) {
+        c = 0.5 * (n_u + n_v + max(abs(n_u), abs(n_v)));
     }
-    return vec3f(n, dot(n, 0.5 - vertex) + 0.5 * max(abs(n.x), abs(n.y)));
+    let divisor = select(n_u, vec3f(PARALLEL), abs(n_u) < vec3f(PARALLEL));
+    return EdgeBounds(-n_v / divisor, (n_u * u + n_v * v - c) / divisor, divisor > vec3f(0.0));
 }
 
 fn triangle_box(v: array<vec3f, 3>) -> TriangleBox {
@@ -65,12 +85,12 @@ fn triangle_box(v: array<vec3f, 3>) -> TriangleBox {
         b.cell_max = vec3i(-1);
         return b;
     }
-    for (var i = 0; i < 3; i++) {
-        let e = p[(i + 1) % 3] - p[i];
-        b.edges_xy[i] = edge_test(e.xy, p[i].xy, n.z);
-        b.edges_yz[i] = edge_test(e.yz, p[i].yz, n.x);
-        b.edges_zx[i] = edge_test(e.zx, p[i].zx, n.y);
-    }
+    let x = vec3f(p[0].x, p[1].x, p[2].x);
+    let y = vec3f(p[0].y, p[1].y, p[2].y);
+    let z = vec3f(p[0].z, p[1].z, p[2].z);
+    b.x_by_y = edge_bounds(x, y, n.z);
+    b.z_by_y = edge_bounds(z, y, -n.x);
+    b.z_by_x = edge_bounds(z, x, n.y);
     b.slope = n.xy / n.z;
     let depth = p[0].z + dot(b.slope, p[0].xy);
     if (CONSERVATIVE) {
@@ -83,21 +103,34 @@ fn triangle_box(v: array<vec3f, 3>) -> TriangleBox {
     return b;
 }
 
-fn inside(edges: array<vec3f, 3>, cell: vec2f) -> bool {
-    return dot(edges[0].xy, cell) + edges[0].z >= 0.0
-        && dot(edges[1].xy, cell) + edges[1].z >= 0.0
-        && dot(edges[2].xy, cell) + edges[2].z >= 0.0;
+// What of [x, y] is within all three edges at a coordinate; nothing where x > y.
+fn bounded(edges: EdgeBounds, coordinate: f32, within: vec2f) -> vec2f {
+    let at = edges.slope * coordinate + edges.offset;
+    let low = select(vec3f(within.x), at, edges.lower);
+    let high = select(at, vec3f(within.y), edges.lower);
+    return vec2f(max(max(low.x, low.y), max(low.z, within.x)), min(min(high.x, high.y), min(high.z, within.y)));
 }
 
-// The cells along a column that may overlap, inclusive; empty where x > y.
-fn column_range(b: TriangleBox, base: vec2i) -> vec2i {
-    if (!inside(b.edges_xy, vec2f(base))) {
-        return vec2i(0, -1);
-    }
+// Cells between two bounds, inclusive; where there are none, these are still in integer range.
+fn cells_within(bounds: vec2f) -> vec2i {
+    return vec2i(clamp(vec2f(ceil(bounds.x), floor(bounds.y)), vec2f(-1e6), vec2f(1e6)));
+}
+
+// A row of columns: those that the triangle's projection overlaps, and between which depths; empty where x > y.
+struct Row {
+    columns: vec2i,
+    depth: vec2f,
+}
+
+fn row_at(b: TriangleBox, y: i32) -> Row {
+    let x = bounded(b.x_by_y, f32(y), vec2f(vec2i(b.cell_min.x, b.cell_max.x)));
+    let z = bounded(b.z_by_y, f32(y), vec2f(vec2i(b.cell_min.z, b.cell_max.z)));
+    return Row(cells_within(x), z);
+}
+
+// The cells of a column that the triangle overlaps, inclusive; empty where x > y.
+fn column_range(b: TriangleBox, row: Row, base: vec2i) -> vec2i {
     let shift = dot(b.slope, vec2f(base));
-    return vec2i(max(i32(floor(b.depth_lo - shift)), b.cell_min.z), min(i32(floor(b.depth_hi - shift)), b.cell_max.z));
-}
-
-fn column_cell_overlaps(b: TriangleBox, cell: vec3i) -> bool {
-    return inside(b.edges_yz, vec2f(cell.yz)) && inside(b.edges_zx, vec2f(cell.zx));
+    let z = bounded(b.z_by_x, f32(base.x), row.depth);
+    return cells_within(vec2f(max(z.x, floor(b.depth_lo - shift)), min(z.y, floor(b.depth_hi - shift))));
 }

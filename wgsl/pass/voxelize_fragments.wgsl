@@ -1,10 +1,10 @@
 // A fragment a column (RAU §4.1.2): triangles drawn along their dominant axis onto a target as large as the grid's
 // side, each widened so that every column that it overlaps has its centre inside (Hasselgren et al., GPU Gems 2, ch. 42).
 
+import package::common::bands::{item_triangle, triangle_voxel};
 import package::common::column_walk::visit_column;
 import package::common::frame::frame;
-import package::common::tiles::{item_triangle, triangle_voxel};
-import package::common::triangle_box::{TriangleBox, swizzle, triangle_box};
+import package::common::triangle_box::{EdgeBounds, TriangleBox, swizzle, triangle_box};
 import package::visitor::visitor;
 
 // Whether only triangles that were left are drawn, or all.
@@ -15,16 +15,15 @@ struct Varyings {
     @location(0) @interpolate(flat) cell_min: vec4i,
     @location(1) @interpolate(flat) cell_max: vec4i,
     @location(2) @interpolate(flat) plane: vec4f,
-    @location(3) @interpolate(flat) xy0: vec3f,
-    @location(4) @interpolate(flat) xy1: vec3f,
-    @location(5) @interpolate(flat) xy2: vec3f,
-    @location(6) @interpolate(flat) yz0: vec3f,
-    @location(7) @interpolate(flat) yz1: vec3f,
-    @location(8) @interpolate(flat) yz2: vec3f,
-    @location(9) @interpolate(flat) zx0: vec3f,
-    @location(10) @interpolate(flat) zx1: vec3f,
-    @location(11) @interpolate(flat) zx2: vec3f,
-    @location(12) @interpolate(flat) triangle: u32,
+    @location(3) @interpolate(flat) x_by_y: vec3f,
+    @location(4) @interpolate(flat) x_by_y_offset: vec3f,
+    @location(5) @interpolate(flat) z_by_y: vec3f,
+    @location(6) @interpolate(flat) z_by_y_offset: vec3f,
+    @location(7) @interpolate(flat) z_by_x: vec3f,
+    @location(8) @interpolate(flat) z_by_x_offset: vec3f,
+    // Which bounds are lower ones, a bit each, by edge and then by coordinates as above.
+    @location(9) @interpolate(flat) lower: vec3u,
+    @location(10) @interpolate(flat) triangle: u32,
 }
 
 // How far the edges move, voxels: half a cell's diagonal, and what rounding may take.
@@ -83,15 +82,13 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     o.cell_min = vec4i(b.cell_min, i32(b.axis));
     o.cell_max = vec4i(b.cell_max, 0);
     o.plane = vec4f(b.slope, b.depth_lo, b.depth_hi);
-    o.xy0 = b.edges_xy[0];
-    o.xy1 = b.edges_xy[1];
-    o.xy2 = b.edges_xy[2];
-    o.yz0 = b.edges_yz[0];
-    o.yz1 = b.edges_yz[1];
-    o.yz2 = b.edges_yz[2];
-    o.zx0 = b.edges_zx[0];
-    o.zx1 = b.edges_zx[1];
-    o.zx2 = b.edges_zx[2];
+    o.x_by_y = b.x_by_y.slope;
+    o.x_by_y_offset = b.x_by_y.offset;
+    o.z_by_y = b.z_by_y.slope;
+    o.z_by_y_offset = b.z_by_y.offset;
+    o.z_by_x = b.z_by_x.slope;
+    o.z_by_x_offset = b.z_by_x.offset;
+    o.lower = vec3u(b.x_by_y.lower) + 2 * vec3u(b.z_by_y.lower) + 4 * vec3u(b.z_by_x.lower);
     o.triangle = triangle;
     return o;
 }
@@ -109,8 +106,8 @@ fn fragment_main(o: Varyings) {
     b.slope = o.plane.xy;
     b.depth_lo = o.plane.z;
     b.depth_hi = o.plane.w;
-    b.edges_xy = array(o.xy0, o.xy1, o.xy2);
-    b.edges_yz = array(o.yz0, o.yz1, o.yz2);
-    b.edges_zx = array(o.zx0, o.zx1, o.zx2);
-    visit_column(visitor(o.triangle, triangle_voxel(o.triangle)), b, column);
+    b.x_by_y = EdgeBounds(o.x_by_y, o.x_by_y_offset, (o.lower & vec3u(1)) != vec3u(0));
+    b.z_by_y = EdgeBounds(o.z_by_y, o.z_by_y_offset, (o.lower & vec3u(2)) != vec3u(0));
+    b.z_by_x = EdgeBounds(o.z_by_x, o.z_by_x_offset, (o.lower & vec3u(4)) != vec3u(0));
+    visit_column(visitor(o.triangle, triangle_voxel(o.triangle), b.axis), b, column);
 }

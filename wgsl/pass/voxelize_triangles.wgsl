@@ -1,17 +1,17 @@
-// A thread a triangle (RAU §4.1.1), which walks all its columns or leaves it to others.
+// A thread a triangle (RAU §4.1.1), which walks all its rows or leaves it to others.
 
-import package::common::column_walk::visit_columns;
+import package::common::bands::{band_count, triangle_voxel};
+import package::common::column_walk::visit_rows;
 import package::common::dispatch::dispatch_index;
 import package::common::mesh::triangle_range;
-import package::common::tiles::{triangle_voxel, tile_grid};
 import package::common::triangle_box::{TriangleBox, triangle_box};
 import package::visitor::visitor;
 
 @group(1) @binding(8) var<storage, read_write> item_counts: array<u32>;
 
-// What is left to others: nothing; triangles of several tiles, a tile an item; large triangles, each an item.
+// What is left to others: nothing; triangles of several bands, a band an item; large triangles, each an item.
 override DEFER: u32 = 0;
-const DEFER_TILES = 1u;
+const DEFER_BANDS = 1u;
 const DEFER_LARGE = 2u;
 // Projected area from which a triangle is large, voxel².
 override CUTOFF: f32 = 4.0;
@@ -19,14 +19,14 @@ override CUTOFF: f32 = 4.0;
 override COUNTS: bool = true;
 
 fn items(b: TriangleBox) -> u32 {
-    if (DEFER == DEFER_TILES) {
-        let grid = tile_grid(b);
-        return select(0u, grid.x * grid.y, grid.x * grid.y > 1);
+    if (any(b.cell_min > b.cell_max)) {
+        return 0;
     }
-    if (DEFER == DEFER_LARGE) {
-        return select(0u, 1u, b.area > CUTOFF && all(b.cell_min <= b.cell_max));
+    if (DEFER == DEFER_BANDS) {
+        let bands = band_count(b);
+        return select(0u, bands, bands > 1);
     }
-    return 0;
+    return select(0u, 1u, DEFER == DEFER_LARGE && b.area > CUTOFF);
 }
 
 @compute @workgroup_size(64)
@@ -45,6 +45,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (COUNTS && DEFER != 0) {
         item_counts[triangle] = left;
     }
-    let last = select(b.cell_min.xy - 1, b.cell_max.xy, left == 0);
-    visit_columns(visitor(triangle, v), b, b.cell_min.xy, last);
+    if (left == 0) {
+        visit_rows(visitor(triangle, v, b.axis), b, b.cell_min.y, b.cell_max.y);
+    }
 }

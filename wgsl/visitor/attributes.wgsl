@@ -7,6 +7,7 @@ import package::common::frame::frame;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
 import package::common::reflectance::total_reflectance;
+import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
 
 @group(1) @binding(4) var<storage, read_write> attributes: array<atomic<u32>>;
@@ -14,20 +15,18 @@ import package::common::voxels::{is_occupied, voxel_slot};
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_COVERAGE: bool = false;
 
-// Whether a visit takes longer than to find the next voxel.
-const VISIT_TOGETHER = true;
-
 struct Visitor {
+    axis: u32,
     corners: Corners,
     material: Material,
     // A triangle weighs as much as it can show of itself within one voxel, in voxel faces.
     weight: f32,
 }
 
-fn visitor(triangle: u32, v: array<vec3f, 3>) -> Visitor {
+fn visitor(triangle: u32, v: array<vec3f, 3>, axis: u32) -> Visitor {
     let area = 0.5 * length(cross(v[1] - v[0], v[2] - v[0]));
     let corners = corners_of(triangle, v);
-    return Visitor(corners, materials[corners.material], clamp(area, 1.0 / 1024.0, 1.0));
+    return Visitor(axis, corners, materials[corners.material], clamp(area, 1.0 / 1024.0, 1.0));
 }
 
 fn add(word: u32, value: f32) {
@@ -60,7 +59,7 @@ fn add_reflectance(first: u32, reflectance: vec3f, weight: f32) {
     }
 }
 
-fn visit(visitor: Visitor, cell: vec3u) {
+fn add_fragment(visitor: Visitor, cell: vec3u) {
     // The two passes over the triangles may round differently at a voxel's edge: the bitmask decides.
     if (!is_occupied(cell, 0)) {
         return;
@@ -91,3 +90,12 @@ fn visit(visitor: Visitor, cell: vec3u) {
         add(first + ATTRIBUTE_STRIDE - 1, clipped_area(visitor.corners.v, cell));
     }
 }
+
+// Visits the voxel of a column, in swizzled cells; says which is next.
+fn visit(visitor: ptr<function, Visitor>, cell: vec3i, top: i32) -> i32 {
+    add_fragment(*visitor, unswizzle(vec3u(cell), (*visitor).axis));
+    return cell.z + 1;
+}
+
+// Nothing is kept from voxel to voxel.
+fn leave(visitor: Visitor) {}

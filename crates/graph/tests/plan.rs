@@ -237,7 +237,7 @@ fn the_cornell_box_explained() {
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels
       attributes         buffer                                    44 B × occupied voxels
-      tile_ranks         buffer                                    188 B
+      item_ranks         buffer                                    188 B
       item_groups        buffer                                    16 B
       radiance           buffer                                    16 B × occupied voxels
       base               128 × 128 × 128 rgba16float, 8 levels     18.29 MiB

@@ -41,7 +41,7 @@ const VOXELS: [&str; 12] = [
     "cells",
     "levels",
     "attributes",
-    "tile_ranks",
+    "item_ranks",
     "item_groups",
     "scan_runs",
     "static_occupancy",

@@ -11,13 +11,13 @@ pub(crate) const LEVEL_RUN_BYTES: u64 = 32;
 /// Voxel² of projected area up to which `hybrid` has a thread walk a triangle.
 const CUTOFF: f64 = 4.0;
 
+/// Rows of the largest grid: a band has at least one.
+const MOST_BANDS: u32 = 512;
+
 /// The word for the method of a pass that doesn't say.
 pub const DEFAULT_METHOD: &str = "balanced";
 
-/// Least side of a tile in columns.
-const TILE: u32 = 8;
-
-/// Which thread walks which voxels: RAU §4.1.1 to §4.1.3, and tiles of columns as everybody's work.
+/// Which thread walks which voxels: RAU §4.1.1 to §4.1.3, and bands of rows of columns as everybody's work.
 #[derive(Clone, Copy, PartialEq)]
 enum Method {
     /// A thread a triangle.
@@ -26,7 +26,7 @@ enum Method {
     Fragment,
     /// A thread a triangle up to so many voxel² of projected area, fragments for the rest.
     Hybrid(f64),
-    /// A thread a triangle of one tile, a thread a tile for the rest.
+    /// A thread a triangle of one band, a thread a band for the rest.
     Balanced,
 }
 
@@ -158,7 +158,7 @@ fn visit_class(e: &mut Expansion<'_, '_>, part: Part, masked: bool, visitor: &st
     };
     let constants = [
         ("HAS_ALPHA_MASK", flag(masked)),
-        ("TILE", f64::from(tile_side(all, e.context.grid.size))),
+        ("MOST_BANDS", f64::from(most_bands(all))),
         ("DEFER", defer),
         ("CUTOFF", cutoff),
         ("COUNTS", flag(first)),
@@ -168,14 +168,14 @@ fn visit_class(e: &mut Expansion<'_, '_>, part: Part, masked: bool, visitor: &st
     let mount = Some(("visitor", visitor));
     let mut targets = part.bound();
     let [ranks, groups] = match masked {
-        false => ["tile_ranks", "item_groups"],
-        true => ["masked_tile_ranks", "masked_item_groups"],
+        false => ["item_ranks", "item_groups"],
+        true => ["masked_item_ranks", "masked_item_groups"],
     };
     // As many as either the triangles that never move or those that may.
     let ranks = deferred.then(|| e.context.resource(ranks, words(all + 1)));
     let groups = e.context.resource(groups, ResourceKind::Buffer(16));
     let ranks_target = ranks.map_or(Target::Nothing, Target::Resource);
-    targets.extend([("tile_ranks", ranks_target.clone()), ("item_counts", ranks_target)]);
+    targets.extend([("item_ranks", ranks_target.clone()), ("item_counts", ranks_target)]);
     targets.push(("item_groups", Target::Resource(groups)));
     let binds = Binds { targets: &targets, constants: &constants, mount };
     if method != Method::Fragment {
@@ -190,7 +190,7 @@ fn visit_class(e: &mut Expansion<'_, '_>, part: Part, masked: bool, visitor: &st
     match method {
         Method::Triangle => {}
         Method::Balanced => {
-            e.compute_groups("pass/voxelize_tiles", "main", &binds, Groups::Indirect { resource, offset });
+            e.compute_groups("pass/voxelize_bands", "main", &binds, Groups::Indirect { resource, offset });
         }
         Method::Hybrid(_) => draw(e, &binds, Vertices::Indirect { resource, offset }),
         Method::Fragment => draw(e, &binds, Vertices::Fixed(3 * count)),
@@ -218,11 +218,9 @@ impl Part {
     }
 }
 
-/// So large that the tiles of all triangles can be counted in 32 bits, were each as large as the grid.
-fn tile_side(triangles: u32, grid: [u32; 3]) -> u32 {
-    let tiles = |side: u32| grid.iter().map(|n| u64::from(n.div_ceil(side)).pow(2)).max().unwrap_or(1);
-    let fits = |side: &u32| tiles(*side) * u64::from(triangles) <= u64::from(u32::MAX);
-    (TILE.ilog2()..16).map(|power| 1 << power).find(fits).unwrap_or(1 << 16)
+/// So few bands of a triangle that those of all triangles can be counted in 32 bits.
+fn most_bands(triangles: u32) -> u32 {
+    (u32::MAX / triangles.max(1)).clamp(1, MOST_BANDS)
 }
 
 fn scan(e: &mut Expansion<'_, '_>, values: usize, count: u32) {
@@ -267,12 +265,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_count_of_tiles_overflows() {
-        assert_eq!(tile_side(262_267, [512; 3]), TILE);
-        for triangles in [1, 1_048_575, 1_048_576, 7_000_000, 11_000_000, u32::MAX] {
-            let side = tile_side(triangles, [512; 3]);
-            let tiles = u64::from(512_u32.div_ceil(side)).pow(2);
-            assert!(tiles * u64::from(triangles) <= u64::from(u32::MAX), "{triangles}");
+    fn no_count_of_bands_overflows() {
+        assert_eq!(most_bands(262_267), MOST_BANDS);
+        for triangles in [1, 1_048_575, 8_388_608, 11_000_000, u32::MAX] {
+            assert!(u64::from(most_bands(triangles)) * u64::from(triangles) <= u64::from(u32::MAX), "{triangles}");
         }
     }
 }
