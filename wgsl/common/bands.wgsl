@@ -1,5 +1,5 @@
-// Work that a triangle's own thread leaves to others. `item_ranks` holds the number of items before each triangle, and
-// the total at its end: an item is a band of the triangle's rows of columns in `balanced`, the whole triangle in `hybrid`.
+// Work that a triangle's own thread leaves to others. `item_ranks` holds the number of items before each triangle, those
+// with an alpha mask last, and the total at its end: an item is a band of the triangle's rows of columns in `balanced`, the whole triangle in `hybrid`.
 
 import package::common::frame::to_voxel;
 import package::common::mesh::{vertices, triangle_indices, triangle_range};
@@ -30,13 +30,19 @@ fn band_rows(b: TriangleBox, band: u32, bands: u32) -> vec2i {
     return b.cell_min.y + vec2i(vec2u(band, band + 1) * rows / bands) - vec2i(0, 1);
 }
 
-// The triangle that an item belongs to: the last whose rank is not above it.
+// The range's first item, and how many it has.
+fn item_range() -> vec2u {
+    let first = item_ranks[triangle_range.item_first];
+    return vec2u(first, item_ranks[triangle_range.item_first + triangle_range.count] - first);
+}
+
+// The triangle of the range that an item belongs to: the last whose rank is not above it.
 fn item_triangle(item: u32) -> u32 {
     var low = 0u;
     var high = triangle_range.count;
     while (high - low > 1) {
         let middle = (low + high) / 2;
-        if (item_ranks[middle] <= item) {
+        if (item_ranks[triangle_range.item_first + middle] <= item) {
             low = middle;
         } else {
             high = middle;

@@ -13,10 +13,13 @@ struct Vertex {
 @group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(2) var<storage, read> indices: array<u32>;
 
-// Triangles that a pass is about: all, those that never move, or those that may, which come last.
+// Triangles that a pass is about: of all, of those that never move, or of those that may, which come last, those with an
+// alpha mask or those without.
 struct TriangleRange {
     first: u32,
     count: u32,
+    // Where in the list of items its first triangle is.
+    item_first: u32,
 }
 
 @group(3) @binding(14) var<uniform> triangle_range: TriangleRange;

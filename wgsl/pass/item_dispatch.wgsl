@@ -1,8 +1,7 @@
 // How much there is of what triangles left to others.
 
-import package::common::bands::item_ranks;
+import package::common::bands::item_range;
 import package::common::dispatch::dispatch_groups;
-import package::common::mesh::triangle_range;
 
 @group(1) @binding(7) var<storage, read_write> item_groups: vec4u;
 
@@ -11,7 +10,7 @@ override DRAWN: bool = false;
 
 @compute @workgroup_size(1)
 fn main() {
-    let items = item_ranks[triangle_range.count];
+    let items = item_range().y;
     if (DRAWN) {
         item_groups = vec4u(3 * items, 1, 0, 0);
     } else {

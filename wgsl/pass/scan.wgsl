@@ -1,11 +1,23 @@
-// Exclusive prefix sum in place, in three dispatches. First: the sum of each run of RUN values.
+// Exclusive prefix sum, in place or of the bits set in each word of the bitmask, in three dispatches. First: the sum of
+// each run of RUN values.
 
 import package::common::dispatch::dispatch_index;
 
 const RUN = 64u;
 
 @group(1) @binding(10) var<storage, read_write> scan_values: array<u32>;
+@group(1) @binding(0) var<storage, read> occupancy: array<u32>;
 @group(1) @binding(11) var<storage, read_write> scan_runs: array<u32>;
+
+override COUNTS_BITS: bool = false;
+
+// One value past the bitmask's end, the total takes its place.
+fn value_at(index: u32) -> u32 {
+    if (!COUNTS_BITS) {
+        return scan_values[index];
+    }
+    return select(0u, countOneBits(occupancy[min(index, arrayLength(&occupancy) - 1)]), index < arrayLength(&occupancy));
+}
 
 @compute @workgroup_size(64)
 fn reduce(@builtin(global_invocation_id) id: vec3u) {
@@ -16,7 +28,7 @@ fn reduce(@builtin(global_invocation_id) id: vec3u) {
     }
     var sum = 0u;
     for (var i = index * RUN; i < min((index + 1) * RUN, count); i++) {
-        sum += scan_values[i];
+        sum += value_at(i);
     }
     scan_runs[index] = sum;
 }
@@ -64,7 +76,7 @@ fn apply(@builtin(global_invocation_id) id: vec3u) {
     }
     var prefix = scan_runs[index];
     for (var i = index * RUN; i < min((index + 1) * RUN, count); i++) {
-        let value = scan_values[i];
+        let value = value_at(i);
         scan_values[i] = prefix;
         prefix += value;
     }

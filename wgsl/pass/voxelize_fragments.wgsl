@@ -1,7 +1,7 @@
 // A fragment a column (RAU §4.1.2): triangles drawn along their dominant axis onto a target as large as the grid's
 // side, each widened so that every column that it overlaps has its centre inside (Hasselgren et al., GPU Gems 2, ch. 42).
 
-import package::common::bands::{item_triangle, triangle_voxel};
+import package::common::bands::{item_range, item_triangle, triangle_voxel};
 import package::common::column_walk::visit_column;
 import package::common::frame::frame;
 import package::common::triangle_box::{EdgeBounds, TriangleBox, swizzle, triangle_box};
@@ -65,7 +65,7 @@ fn is_compact(b: TriangleBox, v: array<vec3f, 3>) -> bool {
 fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     var triangle = index / 3;
     if (DEFERRED) {
-        triangle = item_triangle(triangle);
+        triangle = item_triangle(item_range().x + triangle);
     }
     let v = triangle_voxel(triangle);
     let b = triangle_box(v);

@@ -35,7 +35,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (triangle >= triangle_range.count) {
         // One past the last holds the total.
         if (COUNTS && DEFER != 0 && triangle == triangle_range.count) {
-            item_counts[triangle] = 0;
+            item_counts[triangle_range.item_first + triangle] = 0;
         }
         return;
     }
@@ -43,7 +43,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let b = triangle_box(v);
     let left = items(b);
     if (COUNTS && DEFER != 0) {
-        item_counts[triangle] = left;
+        item_counts[triangle_range.item_first + triangle] = left;
     }
     if (left == 0) {
         visit_rows(visitor(triangle, v, b.axis), b, b.cell_min.y, b.cell_max.y);

@@ -130,71 +130,106 @@ fn static_voxels(e: &mut Expansion<'_, '_>, method: Method, stride: u64) {
 
 /// The number of bits set before each of so many words.
 fn rank(e: &mut Expansion<'_, '_>, targets: &[(&str, Target)], ranks: usize, words: u32) {
-    e.compute("pass/rank_count", "main", &Binds { targets, ..Binds::default() }, groups_for(words + 1, 64));
-    scan(e, ranks, words + 1);
+    scan(e, targets, ranks, words + 1, true);
+}
+
+/// Triangles of a part, with an alpha mask or without.
+struct Class {
+    masked: bool,
+    triangles: Range<u32>,
+    /// Buffer that says how much its triangles leave to others.
+    items: usize,
+    targets: Vec<(&'static str, Target)>,
 }
 
 /// Shows every overlapped voxel to a visitor; `first` counts what triangles leave to others. Triangles with an alpha mask
 /// come last, and apart, so that the others need not look for one.
-fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &str, first: bool) {
+fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: bool) {
     let Range { start, end } = part.triangles;
     let split = end - e.context.facts.masked_in(&part.triangles);
-    for (triangles, masked) in [(start..split, false), (split..end, true)] {
-        if !triangles.is_empty() {
-            let part = Part { method: part.method, triangles, targets: part.targets.clone() };
-            visit_class(e, part, masked, visitor, first);
+    let deferred = matches!(part.method, Method::Hybrid(_) | Method::Balanced);
+    // As many as either the triangles that never move or those that may.
+    let all = e.context.facts.triangles;
+    let ranks = deferred.then(|| e.context.resource("item_ranks", words(all + 1)));
+    let classes: Vec<Class> = [(start..split, false, "item_groups"), (split..end, true, "masked_item_groups")]
+        .into_iter()
+        .filter(|(triangles, ..)| !triangles.is_empty())
+        .map(|(triangles, masked, groups)| {
+            let items = e.context.resource(groups, ResourceKind::Buffer(16));
+            let mut targets = part.targets.clone();
+            let ranks = ranks.map_or(Target::Nothing, Target::Resource);
+            targets.extend([("item_ranks", ranks.clone()), ("item_counts", ranks)]);
+            targets.push(("item_groups", Target::Resource(items)));
+            targets.push(("triangle_range", triangle_range(&triangles, triangles.start - start)));
+            Class { masked, triangles, items, targets }
+        })
+        .collect();
+    if part.method != Method::Fragment {
+        for class in &classes {
+            let constants = constants(part.method, all, class.masked, first);
+            let binds = class.binds(&constants, Some(("visitor", visitor)));
+            let groups = groups_for(class.triangles.end - class.triangles.start + 1, 64);
+            e.compute("pass/voxelize_triangles", "main", &binds, groups);
+        }
+    }
+    if let (true, Some(ranks)) = (first, ranks) {
+        scan(e, &[], ranks, end - start + 1, false);
+        for class in &classes {
+            let constants = constants(part.method, all, class.masked, first);
+            e.compute("pass/item_dispatch", "main", &class.binds(&constants, None), [1, 1, 1]);
+        }
+    }
+    for class in &classes {
+        let constants = constants(part.method, all, class.masked, first);
+        let binds = class.binds(&constants, Some(("visitor", visitor)));
+        let (resource, offset) = (class.items, 0);
+        match part.method {
+            Method::Triangle => {}
+            Method::Balanced => {
+                e.compute_groups("pass/voxelize_bands", "main", &binds, Groups::Indirect { resource, offset });
+            }
+            Method::Hybrid(_) => draw(e, &binds, Vertices::Indirect { resource, offset }),
+            Method::Fragment => {
+                let count = class.triangles.end - class.triangles.start;
+                draw(e, &binds, Vertices::Fixed(3 * count));
+            }
         }
     }
 }
 
-fn visit_class(e: &mut Expansion<'_, '_>, part: Part, masked: bool, visitor: &str, first: bool) {
+fn constants(method: Method, triangles: u32, masked: bool, first: bool) -> [(&'static str, f64); 8] {
     let flag = |on: bool| f64::from(u8::from(on));
-    let (method, all) = (part.method, e.context.facts.triangles);
-    let count = part.triangles.end - part.triangles.start;
-    let (defer, cutoff, deferred) = match method {
-        Method::Triangle | Method::Fragment => (0.0, CUTOFF, false),
-        Method::Balanced => (1.0, CUTOFF, true),
-        Method::Hybrid(cutoff) => (2.0, cutoff, true),
+    let (defer, cutoff) = match method {
+        Method::Triangle | Method::Fragment => (0.0, CUTOFF),
+        Method::Balanced => (1.0, CUTOFF),
+        Method::Hybrid(cutoff) => (2.0, cutoff),
     };
-    let constants = [
+    [
         ("HAS_ALPHA_MASK", flag(masked)),
-        ("MOST_BANDS", f64::from(most_bands(all))),
+        ("NEAREST_TEXEL", 1.0),
+        ("MOST_BANDS", f64::from(most_bands(triangles))),
         ("DEFER", defer),
         ("CUTOFF", cutoff),
         ("COUNTS", flag(first)),
         ("DRAWN", flag(method != Method::Balanced)),
-        ("DEFERRED", flag(deferred)),
-    ];
-    let mount = Some(("visitor", visitor));
-    let mut targets = part.bound();
-    let [ranks, groups] = match masked {
-        false => ["item_ranks", "item_groups"],
-        true => ["masked_item_ranks", "masked_item_groups"],
-    };
-    // As many as either the triangles that never move or those that may.
-    let ranks = deferred.then(|| e.context.resource(ranks, words(all + 1)));
-    let groups = e.context.resource(groups, ResourceKind::Buffer(16));
-    let ranks_target = ranks.map_or(Target::Nothing, Target::Resource);
-    targets.extend([("item_ranks", ranks_target.clone()), ("item_counts", ranks_target)]);
-    targets.push(("item_groups", Target::Resource(groups)));
-    let binds = Binds { targets: &targets, constants: &constants, mount };
-    if method != Method::Fragment {
-        e.compute("pass/voxelize_triangles", "main", &binds, groups_for(count + 1, 64));
+        ("DEFERRED", flag(defer != 0.0)),
+    ]
+}
+
+impl Class {
+    fn binds<'b>(
+        &'b self,
+        constants: &'b [(&'b str, f64)],
+        mount: Option<(&'static str, &'static str)>,
+    ) -> Binds<'b> {
+        Binds { targets: &self.targets, constants, mount }
     }
-    if let (true, Some(ranks)) = (first, ranks) {
-        scan(e, ranks, count + 1);
-        let binds = Binds { targets: &targets, constants: &constants, ..Binds::default() };
-        e.compute("pass/item_dispatch", "main", &binds, [1, 1, 1]);
-    }
-    let (resource, offset) = (groups, 0);
-    match method {
-        Method::Triangle => {}
-        Method::Balanced => {
-            e.compute_groups("pass/voxelize_bands", "main", &binds, Groups::Indirect { resource, offset });
-        }
-        Method::Hybrid(_) => draw(e, &binds, Vertices::Indirect { resource, offset }),
-        Method::Fragment => draw(e, &binds, Vertices::Fixed(3 * count)),
-    }
+}
+
+/// `TriangleRange` in wgsl/common/mesh.wgsl.
+fn triangle_range(triangles: &Range<u32>, item_first: u32) -> Target {
+    let words = [triangles.start, triangles.end - triangles.start, item_first, 0];
+    Target::Uniform(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }
 
 fn draw(e: &mut Expansion<'_, '_>, binds: &Binds<'_>, vertices: Vertices) {
@@ -205,27 +240,18 @@ fn draw(e: &mut Expansion<'_, '_>, binds: &Binds<'_>, vertices: Vertices) {
     }
 }
 
-impl Part {
-    /// Its targets, and its `TriangleRange` in wgsl/common/mesh.wgsl.
-    fn bound(&self) -> Vec<(&'static str, Target)> {
-        let Range { start, end } = self.triangles;
-        let mut bytes = vec![0; 16];
-        bytes[..4].copy_from_slice(&start.to_le_bytes());
-        bytes[4..8].copy_from_slice(&(end - start).to_le_bytes());
-        let mut targets = self.targets.clone();
-        targets.push(("triangle_range", Target::Uniform(bytes)));
-        targets
-    }
-}
-
 /// So few bands of a triangle that those of all triangles can be counted in 32 bits.
 fn most_bands(triangles: u32) -> u32 {
     (u32::MAX / triangles.max(1)).clamp(1, MOST_BANDS)
 }
 
-fn scan(e: &mut Expansion<'_, '_>, values: usize, count: u32) {
-    let targets = [("scan_values", Target::Resource(values))];
-    let binds = Binds { targets: &targets, ..Binds::default() };
+/// Exclusive prefix sum over so many values in place, or of the bitmask's words.
+fn scan(e: &mut Expansion<'_, '_>, targets: &[(&str, Target)], values: usize, count: u32, bits: bool) {
+    let values = [("scan_values", Target::Resource(values))];
+    let occupancy = if bits { &[] } else { &[("occupancy", Target::Nothing)][..] };
+    let targets = [&values[..], occupancy, targets].concat();
+    let constants = [("COUNTS_BITS", f64::from(u8::from(bits)))];
+    let binds = Binds { targets: &targets, constants: &constants, mount: None };
     let runs = groups_for(count.div_ceil(64), 64);
     e.compute("pass/scan", "reduce", &binds, runs);
     e.compute("pass/scan", "runs", &binds, [1, 1, 1]);
