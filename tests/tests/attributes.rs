@@ -1,11 +1,11 @@
-//! What voxels know of the surfaces in them, against closed forms in `f64`: normals and normal maps under any transform,
+//! What voxels and pixels know of surfaces, against closed forms in `f64`: normals and normal maps under any transform,
 //! textures at the level that fits, alpha masks, and the point of a triangle that stands for it in a voxel.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use glam::{DAffine3, DMat3, DQuat, DVec3, EulerRot, UVec3, Vec2, Vec3, Vec4};
 use voxlume::scene::{Material, Mesh, Texture, TextureRef};
-use voxlume::{Request, Scene};
-use voxlume_tests::{Substrate, Surface, gi, place, render, scene_of, soup, span, triangles};
+use voxlume::{Camera, Request, Scene};
+use voxlume_tests::{Substrate, Surface, gi, picture, place, render, scene_of, soup, span, triangles};
 
 fn voxelize(scene: &Scene) -> Substrate {
     let request = Request { resolution: Some(32), output: Some("diffuse".into()), ..Request::image(8, 8) };
@@ -65,13 +65,15 @@ fn expected_normal(matrix: DMat3, map: DVec3) -> DVec3 {
     (map.x * tangent + map.y * bitangent + map.z * normal).normalize()
 }
 
+fn map_of([x, y, z, _]: [u8; 4]) -> DVec3 {
+    DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 127.5 - 1.0
+}
+
 #[test]
 fn normals_follow_every_transform() {
     // A plain surface, and one that leans to its right and down.
     for texel in [None, Some([204, 66, 220, 255])] {
-        let map = texel.map_or(DVec3::Z, |[x, y, z, _]: [u8; 4]| {
-            DVec3::new(f64::from(x), f64::from(y), f64::from(z)) / 127.5 - 1.0
-        });
+        let map = texel.map_or(DVec3::Z, map_of);
         for (double_sided, matrix) in [false, true].into_iter().cycle().zip(transforms()) {
             let mut scene = scene_of(Vec::new(), 1.0);
             scene.materials[0].double_sided = double_sided;
@@ -89,6 +91,36 @@ fn normals_follow_every_transform() {
                     "{normal} and not {expected} under {matrix} with {map}"
                 );
                 assert_eq!(surface.double_sided, f64::from(u8::from(double_sided)), "{matrix}");
+            }
+        }
+    }
+}
+
+/// What voxels hold, pixels show too; from behind, a double-sided surface with its map is turned round as a whole.
+#[test]
+fn pixels_show_the_normal_from_either_side() {
+    let texel = [204, 66, 220, 255];
+    for matrix in transforms() {
+        let mut scene = scene_of(Vec::new(), 1.0);
+        scene.materials[0].double_sided = true;
+        scene.materials[0].normal_texture = add_texture(&mut scene, 1, false, |_, _| texel);
+        place(&mut scene, square(), DAffine3::from_mat3(matrix));
+        let front = expected_normal(matrix, DVec3::Z);
+        for side in [1.0, -1.0] {
+            // Straight over the middle, so near that the square fills the image.
+            let eye = front * side * 0.2;
+            scene.cameras = Camera::look_at("near", eye, DVec3::ZERO, front.any_orthonormal_vector(), 0.5)
+                .into_iter()
+                .collect();
+            let request = Request { output: Some("normal".into()), ..Request::image(4, 4) };
+            let shown = picture(&render(&gi(), &scene, &request), "normal");
+            let expected = side * expected_normal(matrix, map_of(texel));
+            for [x, y, z, _] in shown.pixels {
+                // As in voxels, and halves of 11 bits.
+                assert!(
+                    Vec3::new(x, y, z).as_dvec3().distance(expected) < 1e-3,
+                    "{x} {y} {z} and not {expected} from {side} under {matrix}"
+                );
             }
         }
     }
