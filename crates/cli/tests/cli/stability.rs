@@ -48,6 +48,29 @@ fn a_figure_out_of_its_bound_fails() {
     assert!(ran.stdout.contains("FAIL"), "{}", ran.stdout);
 }
 
+/// Each scene made for this is run, and says what should hold in it: as a property, or case by case.
+#[test]
+fn every_hard_scene_is_a_case_and_says_what_should_hold() {
+    let listed = Folder::new().run("stability --list").stdout;
+    let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut files: Vec<_> =
+        std::fs::read_dir(scenes.join("hard")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.push(scenes.join("furnace.ron"));
+    assert!(files.len() > 20);
+    for file in files {
+        let name = file.file_name().unwrap().to_str().unwrap();
+        let line = |line: &&str| line.trim_end().ends_with(&format!("/{name}"));
+        let cases: Vec<&str> =
+            listed.lines().filter(line).map(|line| line.split_whitespace().next().unwrap()).collect();
+        assert!(!cases.is_empty(), "{name} is no case");
+        let text = std::fs::read_to_string(&file).unwrap();
+        let head = text.split("\n(").next().unwrap();
+        let stated =
+            head.contains("Property") || cases.iter().all(|case| head.contains(&format!("`{case}`")));
+        assert!(stated, "{name} doesn't say what should hold of {cases:?}");
+    }
+}
+
 #[test]
 fn unknown_words() {
     Folder::new().refuses(
