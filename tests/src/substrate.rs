@@ -33,6 +33,33 @@ pub struct Run {
     pub count: u32,
 }
 
+/// What a voxel's sums say: means of what its surfaces show, by weight.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// Reflectance.
+    pub albedo: DVec3,
+    /// Unit if the voxel has surfaces of one normal.
+    pub normal: DVec3,
+    /// Share of double-sided surfaces.
+    pub double_sided: f64,
+    /// Over the brightest channel of the scene's materials; zero if none emits.
+    pub emission: DVec3,
+}
+
+impl Surface {
+    /// Decodes the sums, laid out as wgsl/common/attributes.wgsl says.
+    pub fn of(sums: &[u32]) -> Surface {
+        let mean = |word: usize| f64::from(sums[word]) / f64::from(sums[0]);
+        let vector = |first: usize| DVec3::new(mean(first), mean(first + 1), mean(first + 2));
+        Surface {
+            albedo: vector(2),
+            normal: vector(5) - vector(8),
+            double_sided: mean(1),
+            emission: if sums.len() > 13 { vector(11) } else { DVec3::ZERO },
+        }
+    }
+}
+
 impl Substrate {
     /// Reads the buffers.
     ///
@@ -96,6 +123,13 @@ impl Substrate {
         let Run { first, count, .. } = self.levels[level as usize];
         let run = &self.cells[first as usize..(first + count) as usize];
         run.iter().map(|word| UVec3::new(word & 1023, word >> 10 & 1023, word >> 20)).collect()
+    }
+
+    /// The attribute sums of a voxel, if it is occupied.
+    pub fn sums(&self, cell: UVec3) -> Option<&[u32]> {
+        let (word, bit) = self.place(cell, 0);
+        let below = (self.occupancy[word] & ((1 << bit) - 1)).count_ones();
+        self.is_set(cell, 0).then(|| self.voxels().nth((self.ranks[word] + below) as usize))?
     }
 
     /// The attribute sums of each occupied voxel.

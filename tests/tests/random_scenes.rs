@@ -5,7 +5,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec3, EulerRot, Vec3, Vec4};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use voxlume::scene::{Instance, Light, LightKind, Material};
+use voxlume::scene::{Instance, Light, LightKind, Material, Texture, TextureRef};
 use voxlume::{Camera, Formats, Passes, Renderer, Request, ResourceKind, Scene, Value};
 use voxlume_tests::{
     EPSILON, Separability, Substrate, compare, gi, gpu, picture, plan_for, scene_of, span, triangles,
@@ -60,12 +60,20 @@ fn transform() -> impl Strategy<Value = DAffine3> {
 fn material() -> impl Strategy<Value = Material> {
     let part = || prop_oneof![3 => 0.0..=1.0f32, 1 => Just(0.0f32), 1 => Just(1.0f32)];
     let emission = prop_oneof![2 => Just(Vec3::ZERO), 1 => colour()];
-    ([part(), part(), part()], part(), part(), emission, any::<bool>(), any::<bool>()).prop_map(
-        |(color, metallic, roughness, emission, double_sided, masked)| Material {
+    // Of the scene's two textures, colours and data.
+    let texture = |texture| prop::option::of(Just(TextureRef { texture }));
+    let textures = (texture(0), texture(0), texture(1), texture(1), -4.0..4.0f32);
+    ([part(), part(), part()], part(), part(), emission, any::<bool>(), any::<bool>(), textures).prop_map(
+        |(color, metallic, roughness, emission, double_sided, masked, textures)| Material {
             base_color: Vec4::new(color[0], color[1], color[2], 1.0),
+            base_color_texture: textures.0,
             metallic,
             roughness,
+            metallic_roughness_texture: textures.2,
+            normal_texture: textures.3,
+            normal_scale: textures.4,
             emission,
+            emission_texture: textures.1,
             double_sided,
             alpha_cutoff: masked.then_some(0.5),
             ..Material::default()
@@ -102,13 +110,19 @@ prop_compose! {
         sky in colour(),
         (eye, target) in (point(-20.0..20.0f64), point(-5.0..5.0f64)),
         fov in 0.05..3.0f32,
+        texels in prop::collection::vec(any::<u8>(), 2 * 4 * 4 * 4),
+        uv_scale in wild(),
     ) -> Scene {
         let camera = Camera::look_at("any", eye, target, DVec3::new(0.01, 1.0, 0.02), fov);
         let mut scene = Scene { materials, lights, sky, ..scene_of(Vec::new(), 1.0) };
+        for (rgba, srgb) in texels.chunks_exact(4 * 4 * 4).zip([true, false]) {
+            scene.textures.push(Texture { name: "noise".into(), width: 4, height: 4, rgba: rgba.to_vec(), srgb });
+        }
         scene.cameras = camera.into_iter().chain(scene.cameras.drain(..)).collect();
         for (index, list) in meshes.iter().enumerate() {
             let mut mesh = triangles(list);
             mesh.material = index % scene.materials.len();
+            mesh.uvs = mesh.positions.iter().map(|p| p.truncate() * uv_scale as f32).collect();
             scene.instances.push(Instance {
                 name: "soup".into(),
                 mesh: index,

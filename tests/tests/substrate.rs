@@ -201,10 +201,7 @@ fn pile(count: usize, extent: f32) -> Vec<u32> {
     pile.triangles = vec![[0, 1, 2]; count];
     let scene = scene_of(vec![pile, span(13.0)], 13.0);
     let substrate = substrate(&scene, 16, Separability::Conservative);
-    let (word, bit) = substrate.place(glam::UVec3::splat(7), 0);
-    let slot = substrate.ranks[word] + (substrate.occupancy[word] & ((1 << bit) - 1)).count_ones();
-    assert!(substrate.is_set(glam::UVec3::splat(7), 0));
-    substrate.voxels().nth(slot as usize).unwrap().to_vec()
+    substrate.sums(glam::UVec3::splat(7)).unwrap().to_vec()
 }
 
 #[test]

@@ -55,11 +55,12 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     let facing = select(-1.0, 1.0, front);
     // In voxels, so that neither tiny nor huge scenes leave the range of squares.
     let flat = unit_or(cross(dpdy(v.position) / frame.voxel_size, dpdx(v.position) / frame.voxel_size), v.normal);
-    let interpolated = unit_or(v.normal, flat * facing) * facing;
+    let interpolated = unit_or(v.normal, flat * facing);
     let surface = roughness_metallic(material, v.uv, lod);
     var o: Targets;
     o.albedo = vec4f(color.rgb, surface.y);
-    o.normal = vec4f(shading_normal(material, v.uv, lod, interpolated, v.tangent), surface.x);
+    // From behind, the surface is turned round with what its map shows.
+    o.normal = vec4f(shading_normal(material, v.uv, lod, interpolated, v.tangent) * facing, surface.x);
     // Derivatives give the plane; the camera's side gives the sign.
     o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, frame.eye - v.position) > 0.0), 1.0);
     // Only the front emits, unless both sides are shaded.

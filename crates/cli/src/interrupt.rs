@@ -3,6 +3,8 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::failure::Failure;
+
 static WISH: AtomicBool = AtomicBool::new(false);
 static HANDLER: OnceLock<()> = OnceLock::new();
 
@@ -22,4 +24,9 @@ pub fn wish() -> &'static AtomicBool {
 /// Whether the work should end.
 pub fn wished() -> bool {
     WISH.load(Ordering::Relaxed)
+}
+
+/// Ends work of which nothing is kept, if it should end.
+pub fn heed() -> Result<(), Failure> {
+    if wished() { Err(Failure::work("interrupted; nothing was written")) } else { Ok(()) }
 }

@@ -1,5 +1,6 @@
 //! Files that appear whole or not at all.
 
+use std::collections::HashSet;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -39,6 +40,17 @@ impl OutFile {
             })),
         }
     }
+}
+
+/// Finds out, before the long work, whether two of the files are the same.
+pub fn distinct<'f>(files: impl IntoIterator<Item = &'f OutFile>) -> Result<(), Fault> {
+    let mut known = HashSet::new();
+    for OutFile { path, .. } in files {
+        if !known.insert(std::path::absolute(path).unwrap_or_else(|_| path.clone())) {
+            return Err(Fault::new(format!("`{}` is to be written twice", path.display())));
+        }
+    }
+    Ok(())
 }
 
 /// Writes all the files, or none: each under another name in its folder first, then all are renamed.

@@ -63,6 +63,7 @@ pub struct Args {
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let files = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let files: Vec<(Kind, OutFile)> = files.collect::<Result<_, voxlume::Fault>>()?;
+    outfile::distinct(files.iter().map(|(_, file)| file))?;
     // From here on, so that it counts whenever it comes.
     interrupt::wish();
     let mut progress = Progress::new();

@@ -95,6 +95,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let pictures = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let pictures: Vec<(Kind, OutFile)> = pictures.collect::<Result<_, Fault>>()?;
     let times = args.json.as_deref().map(OutFile::new).transpose()?;
+    outfile::distinct(pictures.iter().map(|(_, file)| file).chain(&times))?;
     let pipeline = args.image.plan.pipeline()?;
 
     let mut progress = Progress::new();
@@ -113,9 +114,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     renderer.render(&scene, camera, Passes::All)?;
     let mut frames = Frames::default();
     for frame in 1..=args.repeat {
-        if interrupt::wished() {
-            return Err(Failure::work("interrupted; nothing was written"));
-        }
+        interrupt::heed()?;
         progress.repeated(format!("rendering frame {frame}/{}", args.repeat));
         let start = Instant::now();
         let times = renderer.render(&scene, camera, Passes::All)?;

@@ -14,6 +14,7 @@ use voxlume::{DEFAULT_METHOD, Gpu, Passes, Pipeline, Renderer, Value};
 use crate::Registry;
 use crate::args::{self, PlanArgs};
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::outfile::{self, OutFile};
 use crate::progress::Progress;
 use crate::render::{camera, exposure};
@@ -95,9 +96,11 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
+    interrupt::wish();
     let files = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
     let files: Vec<(Kind, OutFile)> = files.collect::<Result<_, voxlume::Fault>>()?;
     let json = args.json.as_deref().map(OutFile::new).transpose()?;
+    outfile::distinct(files.iter().map(|(_, file)| file).chain(&json))?;
     let mut pipeline = args.plan.pipeline()?;
     if let Some(word) = &args.separability {
         pipeline.separability.value.clone_from(word);
@@ -116,6 +119,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     renderer.render(&scene, camera, Passes::All)?;
     let mut frames = Frames::default();
     for run in 1..=args.repeat {
+        interrupt::heed()?;
         progress.repeated(format!("voxelizing {run}/{}", args.repeat));
         let start = Instant::now();
         let mut times = renderer.render(&scene, camera, Passes::All)?;

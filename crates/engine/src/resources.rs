@@ -3,7 +3,6 @@
 use voxlume_format::Encoding;
 use voxlume_graph::{ImageTexel, Plan, ResourceKind, SceneFacts};
 use voxlume_scene::{Geometry, Scene};
-use wgpu::util::DeviceExt;
 
 use crate::upload::{light, material, mesh, texture};
 use crate::{Error, Gpu};
@@ -142,7 +141,15 @@ fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
 pub(crate) fn buffer_with(gpu: &Gpu, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
     let nothing = [0; 256];
     let contents = if bytes.is_empty() { &nothing } else { bytes };
-    gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+    // `create_buffer_init` would panic if the device is lost.
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: contents.len() as u64,
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&buffer, 0, contents);
+    buffer
 }
 
 fn sampler(gpu: &Gpu, address: wgpu::AddressMode, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {

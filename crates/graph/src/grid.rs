@@ -58,9 +58,9 @@ impl Grid {
         let needed = match extent {
             Extent::Cubic => [resolution; 3],
             Extent::Bounds | Extent::Box(..) => {
-                // What rounding adds to a whole number of voxels is none of its own.
+                // What rounding adds to a whole number of voxels is none of its own; what is thinner than a voxel still takes one.
                 let voxels = ((high - low) / voxel_size - 1e-6).ceil().to_array();
-                voxels.map(|n| (n as u32 + margin).min(resolution))
+                voxels.map(|n| (n as u32 + margin).clamp(1, resolution))
             }
         };
         let size = needed.map(|n| n.next_multiple_of(multiple(resolution)));
@@ -171,6 +171,9 @@ mod tests {
         // 10 of 12 voxels along z: one of padding on either side.
         assert!((grid.centre - DVec3::new(2.0, 1.0, 0.5)).length() < 1e-9);
         assert!(!grid.holds((DVec3::ZERO, DVec3::splat(3.0))));
+        // Thinner than a voxel by far.
+        let thin = DVec3::new(1e9, 1.0, 1.0);
+        assert_eq!(Grid::new(33, Extent::Box(DVec3::ZERO, thin), None).size, [36, 4, 4]);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use voxlume_fault::ron::{Document, Fields, Node};
 use voxlume_fault::{Fault, Faults, Source, one_of};
+use voxlume_scene::WORLD_LIMIT;
 
 use crate::grid::Extent;
 
@@ -189,9 +190,12 @@ fn extent(node: Node<'_>) -> Result<Extent, Faults> {
         let node = fields.node(name)?;
         let numbers: Vec<f64> = faults.gather(node.get())?;
         match <[f64; 3]>::try_from(numbers) {
-            Ok(corner) if corner.iter().all(|n| n.is_finite()) => Some((DVec3::from_array(corner), node)),
+            Ok(corner) if corner.iter().all(|n| n.abs() <= WORLD_LIMIT) => {
+                Some((DVec3::from_array(corner), node))
+            }
             _ => {
-                faults.push(node.fault(format!("`{name}` must be a point"), "three finite numbers"));
+                let label = format!("three numbers within ±{WORLD_LIMIT:e}");
+                faults.push(node.fault(format!("`{name}` must be a point"), label));
                 None
             }
         }

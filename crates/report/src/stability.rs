@@ -33,8 +33,8 @@ pub struct StabilityRow {
     pub bound: Option<f64>,
     /// Whether it is within its bound.
     pub pass: bool,
-    /// Why it is not, where that is known, or what went wrong.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Why it is not, where that is known.
+    #[serde(skip)]
     pub reason: Option<String>,
     /// The place in a sweep: what is swept, with its unit, and its value.
     #[serde(skip)]

@@ -65,12 +65,13 @@ impl Pattern {
 
 /// Renders the frames, each written when it is done.
 pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), Failure> {
+    interrupt::wish();
     let patterns = args.out.iter().map(|path| Ok((Kind::of(path)?, Pattern::of(path)?)));
     let patterns: Vec<(Kind, Pattern)> = patterns.collect::<Result<_, Fault>>()?;
-    for (_, pattern) in &patterns {
-        OutFile::new(&pattern.path(range.start))?;
-    }
+    let first = patterns.iter().map(|(_, pattern)| OutFile::new(&pattern.path(range.start)));
+    let first = first.collect::<Result<Vec<_>, Fault>>()?;
     let json = args.json.as_deref().map(OutFile::new).transpose()?;
+    outfile::distinct(first.iter().chain(&json))?;
     let pipeline = args.image.plan.pipeline()?;
 
     let mut progress = Progress::new();
@@ -96,7 +97,6 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     progress.stage("rendering".into());
     renderer.render(&scene, camera(&scene, Some(&name))?, Passes::All)?;
 
-    interrupt::wish();
     let mut frames = Frames::default();
     for number in range.clone() {
         if interrupt::wished() {

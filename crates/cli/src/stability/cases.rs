@@ -110,7 +110,7 @@ pub static CASES: [Case; 37] = [
     case("runs", "the same bits in every run", hard!("room"), bits::runs, BOTH),
     case("shuffled", "the same bits in any order of triangles", hard!("room"), bits::shuffled, BOTH),
     case("aperture", "cones from 0° to 180° are finite", hard!("wide_lights"), aperture::aperture, &[32]),
-    case("odd_sizes", "so are images of odd sizes", hard!("room"), finite::odd_sizes, &[32]),
+    case("odd_sizes", "so are images and grids of odd sizes", hard!("room"), finite::odd_sizes, &[32, 45]),
     case("slivers", FINITE, hard!("slivers"), finite::finite, BOTH),
     case("across", FINITE, hard!("across"), finite::finite, BOTH),
     case("million", FINITE, hard!("million"), finite::finite, &[64]),

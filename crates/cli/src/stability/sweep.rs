@@ -43,6 +43,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let cells = cells(args, registry)?;
     let json = args.json.as_deref().map(OutFile::new).transpose()?;
     let html = args.html.as_deref().map(OutFile::new).transpose()?;
+    outfile::distinct(json.iter().chain(&html))?;
     let pipeline = pipeline::load("gi")?;
     let mut gpu = Gpu::open(args.adapter.as_deref())?;
     let mut stability = Stability::new(devices::describe(&gpu.info));

@@ -29,6 +29,20 @@ fn a_folder_of_that_name() {
     );
 }
 
+#[test]
+fn one_file_twice() {
+    let folder = Folder::new();
+    for (words, twice) in [
+        ("render box.ron -o out.png -o out.exr -o ./out.png", "./out.png"),
+        ("render box.ron -o {}.png -o {}.png --frames 1..3", "1.png"),
+        ("voxelize box.ron -o out.ply --json out.ply", "out.ply"),
+        ("reference box.ron -o out.png -o out.png", "out.png"),
+        ("stability --json out --html out", "out"),
+    ] {
+        folder.refuses(words, &format!("error: `{twice}` is to be written twice"));
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_takes_no_files() {

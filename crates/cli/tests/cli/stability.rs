@@ -21,9 +21,12 @@ fn a_selection_is_within_its_bounds() {
     for case in SELECTION.split_whitespace() {
         assert!(rows.iter().any(|row| row["case"] == case), "{case}");
     }
-    for row in rows {
-        assert!(row["pass"] == true || row["reason"].is_string(), "{row}");
-    }
+    let mut keys: Vec<&str> = rows[0].as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    assert_eq!(keys, ["bound", "case", "encoding", "figure", "format", "pass", "resolution", "value"]);
+    assert!(json["device"]["name"].is_string() && json.as_object().unwrap().len() == 3);
+    let misses = rows.iter().filter(|row| row["pass"] == false).count();
+    assert_eq!(ran.stdout.matches("known miss").count(), misses, "{}", ran.stdout);
     assert_eq!(ran.stdout.lines().count(), rows.len() + 1);
     let html = std::fs::read_to_string(folder.path().join("out.html")).unwrap();
     assert!(html.contains("wall, voxels") && html.matches("class=\"curve").count() >= 6);
@@ -43,6 +46,29 @@ fn a_figure_out_of_its_bound_fails() {
     assert_eq!(ran.code, Some(1), "{}\n{}", ran.stdout, ran.stderr);
     assert!(ran.stderr.ends_with("error: 1 of 1 figures are out of their bounds\n"), "{}", ran.stderr);
     assert!(ran.stdout.contains("FAIL"), "{}", ran.stdout);
+}
+
+/// Each scene made for this is run, and says what should hold in it: as a property, or case by case.
+#[test]
+fn every_hard_scene_is_a_case_and_says_what_should_hold() {
+    let listed = Folder::new().run("stability --list").stdout;
+    let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut files: Vec<_> =
+        std::fs::read_dir(scenes.join("hard")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.push(scenes.join("furnace.ron"));
+    assert!(files.len() > 20);
+    for file in files {
+        let name = file.file_name().unwrap().to_str().unwrap();
+        let line = |line: &&str| line.trim_end().ends_with(&format!("/{name}"));
+        let cases: Vec<&str> =
+            listed.lines().filter(line).map(|line| line.split_whitespace().next().unwrap()).collect();
+        assert!(!cases.is_empty(), "{name} is no case");
+        let text = std::fs::read_to_string(&file).unwrap();
+        let head = text.split("\n(").next().unwrap();
+        let stated =
+            head.contains("Property") || cases.iter().all(|case| head.contains(&format!("`{case}`")));
+        assert!(stated, "{name} doesn't say what should hold of {cases:?}");
+    }
 }
 
 #[test]

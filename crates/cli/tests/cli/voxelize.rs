@@ -104,6 +104,12 @@ fn light_shows_in_the_volumes_channels() {
     assert!(mean("--channel radiance --direction +z --format six_face") > 50.0);
     assert!(mean("--channel radiance --direction -z --format six_face") < 10.0);
     assert_eq!(mean("--channel opacity --direction +z"), 255.0);
+    // What has two sides shows what arrives at either, on both.
+    let scene = std::fs::read_to_string(folder.path().join("box.ron")).unwrap();
+    folder.edit("box.ron", &scene, "base_color: 0.5", "base_color: 0.5, double_sided: true");
+    for format in ["isotropic", "six_face", "sh2"] {
+        assert!(mean(&format!("--channel radiance --direction -z --format {format}")) > 50.0, "{format}");
+    }
 }
 
 #[test]

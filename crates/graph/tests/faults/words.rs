@@ -206,6 +206,7 @@ fn grid_and_method() {
         (r#"(fit: "cubic", min: (0, 0, 0), max: (1, 1, 1))"#, "the grid is neither fitted nor given"),
         (r#"(min: (0, 0, 0), max: (1, 0, 1))"#, "the grid is empty"),
         (r#"(min: (0, 0), max: (1, 1, 1))"#, "`min` must be a point"),
+        (r#"(min: (0, 0, 0), max: (1, 1e16, 1))"#, "`max` must be a point"),
     ] {
         let text = message(&[("resolution: 64,", &format!("resolution: 64, grid: {grid},"))]);
         assert!(text.contains(told) && text.contains("p.ron:4:"), "{grid}: {text}");
