@@ -7,7 +7,8 @@ import package::format::sample::VOXEL_ONE_SIDED;
 
 const COS_30 = 0.8660254;
 // How much of a surface one doubling sample stands for. With 1, the shares of a wall sum to between 0.7 and 2 by how
-// it lies to the samples, and cones leak; a factor, chosen by the least error on the Cornell box.
+// it lies to the samples, and cones leak; a factor: the least with which `stability`'s sealed boxes hold. With 1.4, diffuse light in
+// the Cornell box has an RMSE 2 to 4 % smaller.
 const SHARE = 1.5;
 // How much narrower cells have to be where surfaces seen edgewise are a whole cell thick; a factor. With 1, diffuse light
 // in the Cornell box is 5 points of its mean brighter.
