@@ -17,7 +17,7 @@ const ALBEDO: f64 = 0.96 * 0.5 + 0.04;
 /// twice. `sh2` keeps opacity as a signed difference of opposite sides, which interpolates to zero between opposite
 /// walls. The goal is 0; the figures are here so that a change for better or worse is seen.
 const MISSES: [(&str, [f64; 2]); 3] =
-    [("isotropic", [-0.041, -0.050]), ("six_face", [-0.048, -0.060]), ("sh2", [-0.164, -0.193])];
+    [("isotropic", [-0.041, -0.050]), ("six_face", [-0.036, -0.045]), ("sh2", [-0.144, -0.171])];
 
 /// The two cameras differ by less than this from the figures above.
 const TOLERANCE: f64 = 0.02;

@@ -2,7 +2,7 @@
 // f(t) = 1 / (1 + falloff·t) up to `distance` and 0 beyond (DVS §4.2). 1 is open, 0 is closed.
 
 import package::common::basis::basis_around;
-import package::common::cone::{ConeSettings, cone_trace};
+import package::common::cone::{ConeSettings, cone_opacity};
 import package::common::diffuse_cones::{DiffuseCones, diffuse_cone, diffuse_weight};
 import package::common::frame::frame;
 import package::common::surface::Surface;
@@ -29,8 +29,8 @@ fn effect(surface: Surface, params: Params) -> vec4f {
     let cones = DiffuseCones(params.ring, surface.turn);
     for (var i = 0u; i <= cones.ring; i++) {
         let cone = diffuse_cone(surface.position_voxel, tangents, cones, i, params.start, params.distance * longest);
-        let value = cone_trace(cone, ConeSettings(params.stepper, params.step), params.falloff / longest);
-        occlusion += diffuse_weight(cones, i) * value.a;
+        let opacity = cone_opacity(cone, ConeSettings(params.stepper, params.step), params.falloff / longest);
+        occlusion += diffuse_weight(cones, i) * opacity;
     }
     return vec4f(vec3f(1.0 - occlusion), 1.0);
 }

@@ -2,7 +2,7 @@
 // the light or, interleaved, as a part of it. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
-import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, end_at_plane, surface_cone};
+import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_opacity, end_at_plane, surface_cone};
 import package::common::frame::{frame, to_voxel};
 import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
@@ -31,7 +31,7 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
         let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
         cone = end_at_plane(cone, to_voxel(light.position), facing);
     }
-    return 1.0 - cone_trace(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0).a;
+    return 1.0 - cone_opacity(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0);
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {

@@ -4,7 +4,7 @@
 use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, DVec4, UVec3};
-use voxlume::twin::{Twin, Volumes};
+use voxlume::twin::{SeenAhead, Twin, Volumes};
 use voxlume::{Choices, Encoding, Formats, Gpu, Library, Property, Source, StorageFormat};
 use voxlume_conformance::{Bench, Content, SIDE, against_twin, run};
 
@@ -20,6 +20,7 @@ enum Break {
     Store,
     Mipmap,
     Sample,
+    Ahead,
 }
 
 struct Broken<'t>(&'t dyn Twin, Break);
@@ -49,6 +50,20 @@ impl Twin for Broken<'_> {
         let value = self.0.voxel_sample(volumes, uvw, level, direction);
         if self.1 == Break::Sample { value * LITTLE } else { value }
     }
+
+    fn voxel_sample_ahead(
+        &self,
+        volumes: &Volumes,
+        uvw: DVec3,
+        level: f64,
+        direction: DVec3,
+        apex: DVec3,
+        behind: DVec3,
+    ) -> SeenAhead {
+        let seen = self.0.voxel_sample_ahead(volumes, uvw, level, direction, apex, behind);
+        let value = if self.1 == Break::Ahead { seen.value * LITTLE } else { seen.value };
+        SeenAhead { value, ..seen }
+    }
 }
 
 #[test]
@@ -63,11 +78,14 @@ fn a_broken_twin_is_noticed_where_it_is_broken() {
             (Break::Store, Some("store")),
             (Break::Mipmap, Some("mipmap")),
             (Break::Sample, Some("sample")),
+            (Break::Ahead, Some("ahead")),
         ] {
             let checks =
                 against_twin(&mut bench, &Broken(twin.as_ref(), broken), "random", &content).unwrap();
             for check in checks {
-                let part_here = part.is_some_and(|part| check.at.contains(part));
+                // `sample` is the name of two checks, beside that of cones.
+                let part_here =
+                    part.is_some_and(|part| check.at.replace("sample ahead", "ahead").contains(part));
                 assert_eq!(check.figure > check.bound, part_here, "{}: {broken:?}: {check:?}", format.name());
             }
         }
@@ -114,6 +132,8 @@ fn each_property_can_fail() {
     fails("isotropic", &with(&format!("{value} * (1.0 + 0.1 * level)")), Property::Energy);
     let faces = "format/six_face/faces";
     fails("six_face", &edited(faces, "select(0u, 1u, negative)", "select(1u, 0u, negative)"), Property::Twin);
+    let behind = "saturate(vec3f(back[0].a, back[1].a, back[2].a) / FACING_FULL)";
+    fails("six_face", &edited("format/six_face/sample", behind, "vec3f(0.0)"), Property::Ahead);
     let child = "select(surface.front, surface.back, vec3<bool>(side == 1))[axis]";
     fails("six_face", &edited("format/six_face/mipmap", child, "1.0"), Property::Twin);
 }
@@ -138,6 +158,7 @@ impl StorageFormat for Modest {
     fn misses(&self) -> &[voxlume::Miss] {
         &[
             voxlume::Miss { property: Property::Sides, at: "", size: 0.5, why: "one radiance" },
+            voxlume::Miss { property: Property::Ahead, at: "", size: 0.5, why: "one radiance" },
             voxlume::Miss { property: Property::Opaque, at: "level 3", size: 0.2, why: "modesty" },
         ]
     }

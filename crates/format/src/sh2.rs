@@ -83,6 +83,12 @@ impl StorageFormat for Sh2 {
                 why: "two bands of two opposite lobes overshoot to 1.25 ahead",
             },
             Miss {
+                property: Property::Ahead,
+                at: "",
+                size: 0.5,
+                why: "sides of three axes share four numbers, so what lies behind can't be left out",
+            },
+            Miss {
                 property: Property::Linear,
                 at: "",
                 size: 0.025,

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use crate::twin::{Twin, Volumes};
+use crate::twin::{SeenAhead, Twin, Volumes};
 use crate::{Choices, FormatOption, Miss, Property, StorageFormat, Volume};
 
 /// See the module.
@@ -116,13 +116,47 @@ impl SixFaceTwin {
         value * if side == 1 { surface.back } else { surface.front }[axis]
     }
 
+    fn face(&self, volumes: &Volumes, axis: usize, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
+        volumes.sample_block(self.faces(), face_of(axis, direction[axis] > 0.0), uvw, level)
+    }
+
     fn sample_faces(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-        let face = |axis: usize| {
-            let block = face_of(axis, direction[axis] > 0.0);
-            direction[axis].abs() * volumes.sample_block(self.faces(), block, uvw, level)
-        };
-        let value = face(0) + face(1) + face(2);
+        let value: DVec4 =
+            (0..3).map(|axis| direction[axis].abs() * self.face(volumes, axis, uvw, level, direction)).sum();
         value / value.w.max(1.0)
+    }
+
+    fn sample_faces_ahead(
+        &self,
+        volumes: &Volumes,
+        uvw: DVec3,
+        level: f64,
+        direction: DVec3,
+        apex: DVec3,
+        before: DVec3,
+    ) -> SeenAhead {
+        let texels = volumes.volumes[self.faces()].1[0].size.as_dvec3() / DVec3::new(1.0, 1.0, FACES.into());
+        let size = texels / level.ceil().exp2();
+        let (mut sum, mut known, mut behind) = (DVec4::ZERO, DVec4::ZERO, before);
+        for axis in 0..3 {
+            let (cells, slope) = (size[axis], direction[axis]);
+            let side = if slope == 0.0 { 0.0 } else { slope.signum() };
+            let beside = |offset: f64| {
+                let mut place = uvw;
+                place[axis] = apex[axis] + side * offset / cells;
+                let inside = (0.5 + cells * (0.5 - (place[axis] - 0.5).abs())).clamp(0.0, 1.0);
+                inside * self.face(volumes, axis, place, level, direction)
+            };
+            behind[axis] = before[axis].max((beside(-1.0).w / 0.25).min(1.0));
+            let found = self.face(volumes, axis, uvw, level, direction);
+            sum += slope.abs() * found;
+            let near = (uvw[axis] - apex[axis]) * side * cells < 1.5;
+            let ahead = beside(1.5);
+            let same = ahead * (found.w / ahead.w.max(1e-6)).min(1.0);
+            known += slope.abs() * if near { found.lerp(same, behind[axis]) } else { found };
+        }
+        let scale = 1.0 / sum.w.max(1.0);
+        SeenAhead { value: known.with_w(sum.w) * scale, known: known.w * scale, behind }
     }
 }
 
@@ -167,5 +201,26 @@ impl Twin for SixFaceTwin {
         }
         let coarse = self.sample_faces(volumes, uvw, (level - 1.0).max(0.0), direction);
         if level >= 1.0 { coarse } else { volumes.sample_over_base(0, uvw, level, coarse) }
+    }
+
+    fn voxel_sample_ahead(
+        &self,
+        volumes: &Volumes,
+        uvw: DVec3,
+        level: f64,
+        direction: DVec3,
+        apex: DVec3,
+        behind: DVec3,
+    ) -> SeenAhead {
+        if !self.isotropic_base() {
+            return self.sample_faces_ahead(volumes, uvw, level, direction, apex, behind);
+        }
+        let coarse = self.sample_faces_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
+        if level >= 1.0 {
+            return coarse;
+        }
+        let value = volumes.sample_over_base(0, uvw, level, coarse.value);
+        let unknown = level.max(0.0) * (coarse.value.w - coarse.known);
+        SeenAhead { value, known: value.w - unknown, behind: coarse.behind }
     }
 }

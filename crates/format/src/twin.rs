@@ -1,16 +1,18 @@
 //! Formats worked out on the CPU in `f64`, to hold the WGSL against.
 
 mod coverage;
+mod seen_ahead;
 mod surface;
 mod volumes;
 
 pub use coverage::composite_coverage;
+pub use seen_ahead::SeenAhead;
 pub use surface::{ATTRIBUTE_WORDS, VoxelSurface};
 pub use volumes::{Texels, Volumes};
 
 use glam::{DVec3, DVec4, UVec3};
 
-/// A format's three functions as its WGSL has them, on volumes in memory.
+/// A format's functions as its WGSL has them, on volumes in memory.
 pub trait Twin: Send + Sync {
     /// Writes a voxel into level 0.
     fn voxel_store(&self, volumes: &mut Volumes, cell: UVec3, radiance: DVec3, normal: DVec3, opacity: f64);
@@ -20,6 +22,20 @@ pub trait Twin: Send + Sync {
 
     /// Premultiplied radiance that comes back along a ray of this unit direction of travel, and opacity.
     fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4;
+
+    /// The same for a cone with its apex at `apex`, `[0, 1]³`, of which earlier samples found so much `behind`
+    /// ([`SeenAhead::behind`]). Unless a format tells what lies behind, all lies ahead.
+    fn voxel_sample_ahead(
+        &self,
+        volumes: &Volumes,
+        uvw: DVec3,
+        level: f64,
+        direction: DVec3,
+        _apex: DVec3,
+        _behind: DVec3,
+    ) -> SeenAhead {
+        SeenAhead::all(self.voxel_sample(volumes, uvw, level, direction))
+    }
 }
 
 /// The children of a cell: child i lies at (i & 1, i >> 1 & 1, i >> 2).

@@ -29,6 +29,8 @@ pub struct ProbeSize {
     pub filters_float32: bool,
 }
 
+const PROBE_BYTES: u64 = 64;
+
 const PIPELINE: &str = r#"(
     format: "given", encoding: "given", resolution: 16, separability: "conservative", output: "probed",
     passes: [
@@ -42,7 +44,8 @@ static PROBE: Kind =
 
 /// Plans what `filter` does for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
 /// `levels`, `attributes` (12 words a voxel, the last its opacity) and `radiance`, and then samples the volume as
-/// `probes` says into `probed`: 32 bytes (uvw, level, direction of travel, padding) and 16 bytes a sample.
+/// `probes` says into `probed`: 64 bytes (uvw, level; direction of travel, apex and what lies behind it, each with padding) and
+/// 48 bytes (`voxel_sample`; of `voxel_sample_ahead` the value, what lies behind, and the opacity known) a sample.
 ///
 /// # Errors
 /// Every fault of the format's shaders.
@@ -70,8 +73,8 @@ pub fn probe(
         ("levels", levels * LEVEL_RUN_BYTES),
         ("attributes", size.voxels * stride * 4),
         ("radiance", size.voxels * 16),
-        ("probes", samples * 32),
-        ("probed", samples * 16),
+        ("probes", samples * PROBE_BYTES),
+        ("probed", samples * 48),
     ] {
         context.resource(name, ResourceKind::Buffer(bytes));
     }
@@ -110,7 +113,7 @@ fn sample(e: &mut Expansion<'_, '_>) {
     let [probes, probed] = ["probes", "probed"].map(|name| e.context.resource(name, ResourceKind::Buffer(0)));
     let targets = [("probes", Target::Resource(probes)), ("probed", Target::Resource(probed))];
     let samples = match e.context.resources[probes].kind {
-        ResourceKind::Buffer(bytes) => bytes / 32,
+        ResourceKind::Buffer(bytes) => bytes / PROBE_BYTES,
         _ => 0,
     };
     let binds = Binds { targets: &targets, ..Binds::default() };

@@ -41,15 +41,28 @@ pub const EFFECT: Contract = Contract {
 };
 
 /// How a storage format is sampled: premultiplied radiance coming back along the direction of travel, and
-/// opacity.
+/// opacity; and the same for a cone, without what lies behind its apex.
 pub const FORMAT_SAMPLE: Contract = Contract {
     what: "format",
     modules: "format/*/sample",
-    functions: &[Requirement {
-        name: "voxel_sample",
-        arguments: &[("uvw", "vec3f"), ("level", "f32"), ("direction", "vec3f")],
-        result: Some("vec4f"),
-    }],
+    functions: &[
+        Requirement {
+            name: "voxel_sample",
+            arguments: &[("uvw", "vec3f"), ("level", "f32"), ("direction", "vec3f")],
+            result: Some("vec4f"),
+        },
+        Requirement {
+            name: "voxel_sample_ahead",
+            arguments: &[
+                ("uvw", "vec3f"),
+                ("level", "f32"),
+                ("direction", "vec3f"),
+                ("apex", "vec3f"),
+                ("behind", "vec3f"),
+            ],
+            result: Some("SeenAhead"),
+        },
+    ],
 };
 
 /// Every contract.

@@ -4,6 +4,7 @@
 // windowed so that nothing is: of a one-sided emitter 2/3 of it remains, which gives 1 ahead and 0 behind.
 
 import package::common::isotropic_base::sample_over_base;
+import package::common::seen_ahead::{SeenAhead, all_ahead};
 import package::common::volume::sample_block;
 import package::format::basis::{COEFFICIENTS, SH0, SH1, LOBE0, LOBE1, decode_opacity, mean_opacity};
 import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_WINDOW};
@@ -57,4 +58,8 @@ fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
         return coarse;
     }
     return sample_over_base(base, uvw, level, coarse);
+}
+
+fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead {
+    return all_ahead(voxel_sample(uvw, level, direction));
 }

@@ -71,11 +71,13 @@ fn effect(s: Surface, p: Params) -> Color { return Color(p.gain); }
 
 #[test]
 fn formats() {
-    let good = "fn voxel_sample(a: vec3f, b: f32, c: vec3f) -> vec4f { return vec4f(a * c, b); }\n";
-    fulfils("format/new/sample", good).unwrap();
+    let sample = "fn voxel_sample(a: vec3f, b: f32, c: vec3f) -> vec4f { return vec4f(a * c, b); }\n";
+    let ahead = "struct SeenAhead { value: vec4f }\n\
+                 fn voxel_sample_ahead(a: vec3f, b: f32, c: vec3f, d: vec3f, e: vec3f) -> SeenAhead { return SeenAhead(); }\n";
+    fulfils("format/new/sample", &format!("{sample}{ahead}")).unwrap();
     let error = fulfils(
         "format/new/sample",
-        &good.replace("b: f32, c: vec3f", "b: vec3f, c: f32").replace("a * c, b", "a * b, c"),
+        &sample.replace("b: f32, c: vec3f", "b: vec3f, c: f32").replace("a * c, b", "a * b, c"),
     );
     assert_snapshot!(error.unwrap_err(), @r#"
     error: format `new` must have `fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f`
@@ -83,6 +85,12 @@ fn formats() {
       │
     1 │ fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f { return vec4f(a * b, c); }
       │    ^^^^^^^^^^^^ is `fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f`
+
+    error: format `new` must have `fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead`
+      ┌─ format/new/sample.wgsl:1:4
+      │
+    1 │ fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f { return vec4f(a * b, c); }
+      │    ^^^^^^^^^^^^ did you mean this?
     "#);
 }
 

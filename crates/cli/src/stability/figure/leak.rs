@@ -35,6 +35,11 @@ pub fn through_black(bench: &Bench<'_>, scene: &Scene) -> Figures {
     from_sky(bench, &scene)
 }
 
+/// Share of the light of a sun without size that gets in: rays of aperture 0, which keep to level 0.
+pub fn at_level_0(bench: &Bench<'_>, scene: &Scene) -> Figures {
+    sweep(bench, scene, "shadow", 1.0)
+}
+
 fn sweep(bench: &Bench<'_>, scene: &Scene, output: &str, behind: f64) -> Figures {
     let figure = |voxels: f64| {
         let image = bench.image(&with_wall(bench, scene, voxels), output, &[])?;
