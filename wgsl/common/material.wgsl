@@ -27,27 +27,16 @@ override HAS_TEXTURES: bool = true;
 override HAS_ALPHA_MASK: bool = true;
 override HAS_EMISSION: bool = true;
 
-// Whether the nearest texel is read instead of a mean of four: enough where a texel is as large as what is to show it.
-override NEAREST_TEXEL: bool = false;
-
-fn texture_at(textures: texture_2d_array<f32>, uv: vec2f, layer: i32, lod: f32) -> vec4f {
-    if (NEAREST_TEXEL) {
-        let size = textureDimensions(textures, u32(lod));
-        return textureLoad(textures, min(vec2u(fract(uv) * vec2f(size)), size - 1), layer, u32(lod));
-    }
-    return textureSampleLevel(textures, material_sampler, uv, layer, lod);
-}
-
 fn base_color(material: Material, uv: vec2f, lod: f32) -> vec4f {
     if (HAS_TEXTURES && material.base_color_layer >= 0) {
-        return material.base_color * texture_at(color_textures, uv, material.base_color_layer, lod);
+        return material.base_color * textureSampleLevel(color_textures, material_sampler, uv, material.base_color_layer, lod);
     }
     return material.base_color;
 }
 
 fn emission(material: Material, uv: vec2f, lod: f32) -> vec3f {
     if (HAS_TEXTURES && material.emission_layer >= 0) {
-        return material.emission * texture_at(color_textures, uv, material.emission_layer, lod).rgb;
+        return material.emission * textureSampleLevel(color_textures, material_sampler, uv, material.emission_layer, lod).rgb;
     }
     return material.emission;
 }
@@ -56,7 +45,7 @@ fn emission(material: Material, uv: vec2f, lod: f32) -> vec3f {
 fn roughness_metallic(material: Material, uv: vec2f, lod: f32) -> vec2f {
     let factor = vec2f(material.roughness, material.metallic);
     if (HAS_TEXTURES && material.metallic_roughness_layer >= 0) {
-        return factor * texture_at(data_textures, uv, material.metallic_roughness_layer, lod).gb;
+        return factor * textureSampleLevel(data_textures, material_sampler, uv, material.metallic_roughness_layer, lod).gb;
     }
     return factor;
 }
@@ -65,7 +54,7 @@ fn shading_normal(material: Material, uv: vec2f, lod: f32, normal: vec3f, tangen
     if (!HAS_TEXTURES || material.normal_layer < 0) {
         return normal;
     }
-    let texel = texture_at(data_textures, uv, material.normal_layer, lod).xyz * 2.0 - 1.0;
+    let texel = textureSampleLevel(data_textures, material_sampler, uv, material.normal_layer, lod).xyz * 2.0 - 1.0;
     let t = tangent.xyz - normal * dot(normal, tangent.xyz);
     let b = cross(normal, t) * tangent.w;
     let n = t * texel.x * material.normal_scale + b * texel.y * material.normal_scale + normal * texel.z;

@@ -197,7 +197,7 @@ fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: b
     }
 }
 
-fn constants(method: Method, triangles: u32, masked: bool, first: bool) -> [(&'static str, f64); 8] {
+fn constants(method: Method, triangles: u32, masked: bool, first: bool) -> [(&'static str, f64); 7] {
     let flag = |on: bool| f64::from(u8::from(on));
     let (defer, cutoff) = match method {
         Method::Triangle | Method::Fragment => (0.0, CUTOFF),
@@ -206,7 +206,6 @@ fn constants(method: Method, triangles: u32, masked: bool, first: bool) -> [(&'s
     };
     [
         ("HAS_ALPHA_MASK", flag(masked)),
-        ("NEAREST_TEXEL", 1.0),
         ("MOST_BANDS", f64::from(most_bands(triangles))),
         ("DEFER", defer),
         ("CUTOFF", cutoff),
