@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use voxlume_scene::{LightKind, Scene};
+use voxlume_scene::{Instance, LightKind, Mesh, Scene};
 
 /// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
 pub const AREA_LIGHT_LIMIT: usize = 16;
@@ -15,6 +15,8 @@ pub struct SceneFacts {
     pub bounds: Option<(DVec3, DVec3)>,
     /// Triangles of all instances.
     pub triangles: u32,
+    /// Length of the longest edge of any triangle, world units.
+    pub longest_edge: f64,
     /// Vertices of all instances.
     pub vertices: u32,
     /// Materials.
@@ -50,6 +52,18 @@ pub struct SceneFacts {
 /// Largest side of a texture layer, texels.
 const TEXTURE_SIZE_LIMIT: u32 = 1024;
 
+/// Of an instance's triangles, world units.
+fn longest_edge(instance: &Instance, mesh: &Mesh) -> f64 {
+    let turn = instance.transform.matrix3;
+    let corner = |i: u32| turn * mesh.positions[i as usize].as_dvec3();
+    let squares = mesh
+        .triangles
+        .iter()
+        .map(|t| t.map(corner))
+        .map(|[a, b, c]| a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a)));
+    squares.fold(0.0, f64::max).sqrt()
+}
+
 impl SceneFacts {
     /// Reads them off a scene.
     pub fn of(scene: &Scene) -> SceneFacts {
@@ -69,6 +83,11 @@ impl SceneFacts {
         SceneFacts {
             bounds: scene.reach(),
             triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
+            longest_edge: scene
+                .instances
+                .iter()
+                .map(|i| longest_edge(i, &scene.meshes[i.mesh]))
+                .fold(0.0, f64::max),
             vertices: meshes().map(|mesh| mesh.positions.len() as u32).sum(),
             materials: scene.materials.len() as u32,
             directional: count(|kind| matches!(kind, LightKind::Directional { .. })),

@@ -181,7 +181,7 @@ fn encode(shader: &Shader, field: &Field, value: &Value, scale: f64) -> Option<V
     }
 }
 
-/// Words that stand for a `u32`: the shader's constants called `<FIELD>_<WORD>`.
+/// Words that stand for a `u32`: the shader's constants called `<FIELD>_<WORD>`, the least first.
 pub(crate) fn words(shader: &Shader, field: &str) -> Vec<(String, u32)> {
     let prefix = format!("{}_", field.to_uppercase());
     let constants = shader.module.constants.iter().filter_map(|(_, constant)| {
@@ -191,7 +191,9 @@ pub(crate) fn words(shader: &Shader, field: &str) -> Vec<(String, u32)> {
             _ => None,
         }
     });
-    constants.collect()
+    let mut words: Vec<_> = constants.collect();
+    words.sort_by_key(|(_, n)| *n);
+    words
 }
 
 /// What a field takes, in words.

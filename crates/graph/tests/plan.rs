@@ -216,7 +216,7 @@ fn the_cornell_box_explained() {
 
     passes
       voxelize           nothing → voxels, once
-                           19 dispatches, 2 indirect dispatches
+                           18 dispatches, 2 indirect dispatches
       light              voxels → radiance
                            1 indirect dispatch
       filter             voxels, radiance → volume
@@ -299,4 +299,16 @@ fn interleaving() {
     };
     assert_eq!(steps(gi), (2, 1));
     assert_eq!(steps(&gi.replace("interleave: true,", "")), (1, 0));
+}
+
+/// A scene whose triangles are all too small to be shared out pays nothing for sharing.
+#[test]
+fn fine_triangles_leave_no_bands() {
+    let voxel_size = f64::from(gi_for(&rich(), &request()).grid.voxel_size);
+    let plan_of =
+        |voxels: f64| gi_for(&SceneFacts { longest_edge: voxels * voxel_size, ..rich() }, &request());
+    let noted = |plan: &Plan| plan.left_out.iter().any(|item| item.what == "bands of large triangles");
+    let (fine, coarse) = (plan_of(9.4), plan_of(9.6));
+    assert!(noted(&fine) && fine.resource("item_ranks").is_none());
+    assert!(!noted(&coarse) && coarse.resource("item_ranks").is_some());
 }

@@ -48,6 +48,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
     SceneFacts {
         bounds: Some((DVec3::ZERO, DVec3::ONE)),
         triangles: 1000,
+        longest_edge: 1.0,
         vertices: 3000,
         materials: 4,
         directional: 1,

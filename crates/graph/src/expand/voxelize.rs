@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{Binds, Expansion, groups_for, step_params};
-use crate::plan::{Groups, ResourceKind, Step, Target, Vertices};
+use crate::plan::{Groups, LeftOut, ResourceKind, Step, Target, Vertices};
 
 /// Bytes of a `LevelRun`.
 pub(crate) const LEVEL_RUN_BYTES: u64 = 32;
@@ -13,6 +13,10 @@ const CUTOFF: f64 = 4.0;
 
 /// Rows of the largest grid: a band has at least one.
 const MOST_BANDS: u32 = 512;
+
+/// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
+/// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
+const EDGE_OF_TWO_BANDS: f64 = 9.5;
 
 /// The word for the method of a pass that doesn't say.
 pub const DEFAULT_METHOD: &str = "balanced";
@@ -38,8 +42,23 @@ fn method(e: &mut Expansion<'_, '_>) -> Option<Method> {
         "triangle" => Method::Triangle,
         "fragment" => Method::Fragment,
         "hybrid" => Method::Hybrid(cutoff),
+        _ if is_fine(e) => Method::Triangle,
         _ => Method::Balanced,
     })
+}
+
+/// Whether no triangle has two bands.
+fn is_fine(e: &mut Expansion<'_, '_>) -> bool {
+    let longest = e.context.facts.longest_edge / f64::from(e.context.grid.voxel_size);
+    let fine = longest < EDGE_OF_TWO_BANDS;
+    if fine {
+        e.context.left_out.push(LeftOut {
+            what: "bands of large triangles".into(),
+            why: format!("no edge is longer than {longest:.1} voxels"),
+            bytes: u64::from(e.context.facts.triangles + 1) * 4,
+        });
+    }
+    fine
 }
 
 /// Triangles, and how and into what they are voxelized.
@@ -151,19 +170,20 @@ fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: b
     // As many as either the triangles that never move or those that may.
     let all = e.context.facts.triangles;
     let ranks = deferred.then(|| e.context.resource("item_ranks", words(all + 1)));
-    let classes: Vec<Class> = [(start..split, false, "item_groups"), (split..end, true, "masked_item_groups")]
-        .into_iter()
-        .filter(|(triangles, ..)| !triangles.is_empty())
-        .map(|(triangles, masked, groups)| {
-            let items = e.context.resource(groups, ResourceKind::Buffer(16));
-            let mut targets = part.targets.clone();
-            let ranks = ranks.map_or(Target::Nothing, Target::Resource);
-            targets.extend([("item_ranks", ranks.clone()), ("item_counts", ranks)]);
-            targets.push(("item_groups", Target::Resource(items)));
-            targets.push(("triangle_range", triangle_range(&triangles, triangles.start - start)));
-            Class { masked, triangles, items, targets }
-        })
-        .collect();
+    let classes: Vec<Class> =
+        [(start..split, false, "item_groups"), (split..end, true, "masked_item_groups")]
+            .into_iter()
+            .filter(|(triangles, ..)| !triangles.is_empty())
+            .map(|(triangles, masked, groups)| {
+                let items = e.context.resource(groups, ResourceKind::Buffer(16));
+                let mut targets = part.targets.clone();
+                let ranks = ranks.map_or(Target::Nothing, Target::Resource);
+                targets.extend([("item_ranks", ranks.clone()), ("item_counts", ranks)]);
+                targets.push(("item_groups", Target::Resource(items)));
+                targets.push(("triangle_range", triangle_range(&triangles, triangles.start - start)));
+                Class { masked, triangles, items, targets }
+            })
+            .collect();
     if part.method != Method::Fragment {
         for class in &classes {
             let constants = constants(part.method, all, class.masked, first);
@@ -186,7 +206,12 @@ fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: b
         match part.method {
             Method::Triangle => {}
             Method::Balanced => {
-                e.compute_groups("pass/voxelize_bands", "main", &binds, Groups::Indirect { resource, offset });
+                e.compute_groups(
+                    "pass/voxelize_bands",
+                    "main",
+                    &binds,
+                    Groups::Indirect { resource, offset },
+                );
             }
             Method::Hybrid(_) => draw(e, &binds, Vertices::Indirect { resource, offset }),
             Method::Fragment => {
@@ -293,7 +318,10 @@ mod tests {
     fn no_count_of_bands_overflows() {
         assert_eq!(most_bands(262_267), MOST_BANDS);
         for triangles in [1, 1_048_575, 8_388_608, 11_000_000, u32::MAX] {
-            assert!(u64::from(most_bands(triangles)) * u64::from(triangles) <= u64::from(u32::MAX), "{triangles}");
+            assert!(
+                u64::from(most_bands(triangles)) * u64::from(triangles) <= u64::from(u32::MAX),
+                "{triangles}"
+            );
         }
     }
 }

@@ -15,6 +15,7 @@ pub fn rich() -> SceneFacts {
     SceneFacts {
         bounds: Some((DVec3::ZERO, DVec3::new(4.0, 3.0, 2.0))),
         triangles: 1000,
+        longest_edge: 1.0,
         vertices: 3000,
         materials: 5,
         directional: 1,
