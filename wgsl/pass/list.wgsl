@@ -8,26 +8,27 @@ import package::common::dispatch::dispatch_index;
 @group(1) @binding(1) var<storage, read> ranks: array<u32>;
 @group(1) @binding(2) var<storage, read_write> cells: array<u32>;
 
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    let word = dispatch_index(id, 64);
-    if (word >= arrayLength(&occupancy)) {
-        return;
-    }
-    var bits = occupancy[word];
-    if (bits == 0) {
-        return;
-    }
+fn list_word(word: u32) {
     var level = 0u;
     while (level + 1 < frame.level_count && level_first_word(level + 1) <= word) {
         level++;
     }
     let brick = brick_at(word - level_first_word(level), level);
     var rank = ranks[word];
-    while (bits != 0) {
-        let bit = firstTrailingBit(bits);
-        cells[rank] = pack_cell(brick * vec3u(4, 4, 2) + bit_offset(bit));
+    for (var bits = occupancy[word]; bits != 0; bits &= bits - 1) {
+        cells[rank] = pack_cell(brick * vec3u(4, 4, 2) + bit_offset(firstTrailingBit(bits)));
         rank++;
-        bits &= bits - 1;
+    }
+}
+
+// Words that a thread looks at, most of which are empty: as many apart as a workgroup has threads.
+const WORDS = 16u;
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u) {
+    let index = dispatch_index(id, 64);
+    let first = index / 64 * (64 * WORDS) + index % 64;
+    for (var word = first; word < min(first + 64 * WORDS, arrayLength(&occupancy)); word += 64) {
+        list_word(word);
     }
 }

@@ -14,6 +14,9 @@ const CUTOFF: f64 = 4.0;
 /// Rows of the largest grid: a band has at least one.
 const MOST_BANDS: u32 = 512;
 
+/// Words of the bitmask that a thread of wgsl/pass/list.wgsl looks at.
+const LISTED_WORDS: u32 = 16;
+
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
 const EDGE_OF_TWO_BANDS: f64 = 9.5;
@@ -117,7 +120,7 @@ pub(crate) fn voxelize(e: &mut Expansion<'_, '_>) {
     rank(e, &[], ranks, all);
     e.compute("pass/level_runs", "main", &Binds::default(), [1, 1, 1]);
     e.steps.push(Step::Counted);
-    e.compute("pass/list", "main", &Binds::default(), groups_for(all, 64));
+    e.compute("pass/list", "main", &Binds::default(), groups_for(all, 64 * LISTED_WORDS));
     if divided {
         e.compute_cells("pass/static_sums", &Binds::default(), 0);
     } else {
