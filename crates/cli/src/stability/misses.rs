@@ -136,7 +136,7 @@ const DISJOINT: &str = "the farther child shows only where the nearer doesn't co
                         beside each other are taken to hide each other";
 const HALF_LOW: &str = "half floats have few bits left below 6·10⁻⁵";
 const HALF_HIGH: &str = "half floats end at 65504, which images are clamped to";
-const BYTES: &str = "bytes hold 255 steps of a declared range, by default up to 2: what is dimmer than half a step is lost, what \
+const BYTES: &str = "bytes hold 255 steps of a declared range, by default up to 4: what is dimmer than half a step is lost, what \
                      is brighter is clamped";
 
 /// Why a row misses its bound, where that is known.
