@@ -22,7 +22,7 @@ fn list_word(word: u32) {
 }
 
 // Words that a thread looks at, most of which are empty: as many apart as a workgroup has threads.
-const WORDS = 16u;
+override WORDS: u32 = 16;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

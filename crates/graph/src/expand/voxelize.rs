@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::{Binds, Expansion, groups_for, step_params};
+use crate::grid::Grid;
 use crate::plan::{Groups, LeftOut, ResourceKind, Step, Target, Vertices};
 
 /// Bytes of a `LevelRun`.
@@ -12,7 +13,7 @@ pub(crate) const LEVEL_RUN_BYTES: u64 = 32;
 const CUTOFF: f64 = 4.0;
 
 /// Rows of the largest grid: a band has at least one.
-const MOST_BANDS: u32 = 512;
+const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 
 /// Words of the bitmask that a thread of wgsl/pass/list.wgsl looks at.
 const LISTED_WORDS: u32 = 16;
@@ -117,10 +118,12 @@ pub(crate) fn voxelize(e: &mut Expansion<'_, '_>) {
         let groups = groups_for(e.context.grid.level_words(level), 64);
         e.compute("pass/hierarchy", "main", &binds, groups);
     }
-    rank(e, &[], ranks, all);
+    scan(e, &[], ranks, all + 1, true);
     e.compute("pass/level_runs", "main", &Binds::default(), [1, 1, 1]);
     e.steps.push(Step::Counted);
-    e.compute("pass/list", "main", &Binds::default(), groups_for(all, 64 * LISTED_WORDS));
+    let listed = [("WORDS", f64::from(LISTED_WORDS))];
+    let binds = Binds { constants: &listed, ..Binds::default() };
+    e.compute("pass/list", "main", &binds, groups_for(all, 64 * LISTED_WORDS));
     if divided {
         e.compute_cells("pass/static_sums", &Binds::default(), 0);
     } else {
@@ -143,25 +146,20 @@ fn static_voxels(e: &mut Expansion<'_, '_>, method: Method, stride: u64) {
     let part = Part { method, triangles: 0..still, targets };
     e.steps.push(Step::Clear(occupancy));
     visit(e, &part, "visitor/occupancy", true);
-    rank(e, &part.targets, ranks, finest);
+    scan(e, &part.targets, ranks, finest + 1, true);
     e.steps.push(Step::Counted);
     e.steps.push(Step::Clear(attributes));
     visit(e, &part, "visitor/attributes", false);
     e.once = std::mem::take(&mut e.steps);
 }
 
-/// The number of bits set before each of so many words.
-fn rank(e: &mut Expansion<'_, '_>, targets: &[(&str, Target)], ranks: usize, words: u32) {
-    scan(e, targets, ranks, words + 1, true);
-}
-
 /// Triangles of a part, with an alpha mask or without.
 struct Class {
-    masked: bool,
     triangles: Range<u32>,
     /// Buffer that says how much its triangles leave to others.
     items: usize,
     targets: Vec<(&'static str, Target)>,
+    constants: [(&'static str, f64); 7],
 }
 
 /// Shows every overlapped voxel to a visitor; `first` counts what triangles leave to others. Triangles with an alpha mask
@@ -169,6 +167,7 @@ struct Class {
 fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: bool) {
     let Range { start, end } = part.triangles;
     let split = end - e.context.facts.masked_in(&part.triangles);
+    let mount = Some(("visitor", visitor));
     let deferred = matches!(part.method, Method::Hybrid(_) | Method::Balanced);
     // As many as either the triangles that never move or those that may.
     let all = e.context.facts.triangles;
@@ -184,13 +183,13 @@ fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: b
                 targets.extend([("item_ranks", ranks.clone()), ("item_counts", ranks)]);
                 targets.push(("item_groups", Target::Resource(items)));
                 targets.push(("triangle_range", triangle_range(&triangles, triangles.start - start)));
-                Class { masked, triangles, items, targets }
+                let constants = constants(part.method, all, masked, first);
+                Class { triangles, items, targets, constants }
             })
             .collect();
     if part.method != Method::Fragment {
         for class in &classes {
-            let constants = constants(part.method, all, class.masked, first);
-            let binds = class.binds(&constants, Some(("visitor", visitor)));
+            let binds = class.binds(mount);
             let groups = groups_for(class.triangles.end - class.triangles.start + 1, 64);
             e.compute("pass/voxelize_triangles", "main", &binds, groups);
         }
@@ -198,13 +197,11 @@ fn visit(e: &mut Expansion<'_, '_>, part: &Part, visitor: &'static str, first: b
     if let (true, Some(ranks)) = (first, ranks) {
         scan(e, &[], ranks, end - start + 1, false);
         for class in &classes {
-            let constants = constants(part.method, all, class.masked, first);
-            e.compute("pass/item_dispatch", "main", &class.binds(&constants, None), [1, 1, 1]);
+            e.compute("pass/item_dispatch", "main", &class.binds(None), [1, 1, 1]);
         }
     }
     for class in &classes {
-        let constants = constants(part.method, all, class.masked, first);
-        let binds = class.binds(&constants, Some(("visitor", visitor)));
+        let binds = class.binds(mount);
         let (resource, offset) = (class.items, 0);
         match part.method {
             Method::Triangle => {}
@@ -244,12 +241,8 @@ fn constants(method: Method, triangles: u32, masked: bool, first: bool) -> [(&'s
 }
 
 impl Class {
-    fn binds<'b>(
-        &'b self,
-        constants: &'b [(&'b str, f64)],
-        mount: Option<(&'static str, &'static str)>,
-    ) -> Binds<'b> {
-        Binds { targets: &self.targets, constants, mount }
+    fn binds(&self, mount: Option<(&'static str, &'static str)>) -> Binds<'_> {
+        Binds { targets: &self.targets, constants: &self.constants, mount }
     }
 }
 
