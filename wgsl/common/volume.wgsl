@@ -13,11 +13,15 @@ fn sample_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
     return decode_texel(filter_volume(volume, uvw, level));
 }
 
-fn sample_block(volume: texture_3d<f32>, block: u32, blocks: u32, uvw: vec3f, level: f32) -> vec4f {
-    // Half a texel from the block's ends, so that the filter never mixes two blocks.
+// A place in a block, half a texel from the block's ends, so that the filter never mixes two blocks.
+fn block_uvw(volume: texture_3d<f32>, block: u32, blocks: u32, uvw: vec3f, level: f32) -> vec3f {
     let half_texel = 0.5 * exp2(ceil(level)) * f32(blocks) / f32(textureDimensions(volume).z);
     let w = clamp(uvw.z, half_texel, 1.0 - half_texel);
-    return sample_volume(volume, vec3f(uvw.xy, (f32(block) + w) / f32(blocks)), level);
+    return vec3f(uvw.xy, (f32(block) + w) / f32(blocks));
+}
+
+fn sample_block(volume: texture_3d<f32>, block: u32, blocks: u32, uvw: vec3f, level: f32) -> vec4f {
+    return sample_volume(volume, block_uvw(volume, block, blocks, uvw, level), level);
 }
 
 // A cell's place in a block of a level with so many texels along z.

@@ -14,6 +14,14 @@ fn decode_texel(texel: vec4f) -> vec4f {
     return texel;
 }
 
+fn encode_radiances(values: vec4f) -> vec4f {
+    return encode_texel(values);
+}
+
+fn decode_radiances(texel: vec4f) -> vec4f {
+    return texel;
+}
+
 fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
     return textureSampleLevel(volume, volume_sampler, uvw, level);
 }

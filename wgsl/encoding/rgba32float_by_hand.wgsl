@@ -14,6 +14,14 @@ fn decode_texel(texel: vec4f) -> vec4f {
     return texel;
 }
 
+fn encode_radiances(values: vec4f) -> vec4f {
+    return encode_texel(values);
+}
+
+fn decode_radiances(texel: vec4f) -> vec4f {
+    return texel;
+}
+
 fn filter_level(volume: texture_3d<f32>, uvw: vec3f, level: i32) -> vec4f {
     let last = vec3i(textureDimensions(volume, level)) - 1;
     let p = uvw * vec3f(last + 1) - 0.5;

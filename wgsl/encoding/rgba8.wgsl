@@ -1,4 +1,4 @@
-// Four bytes a texel: RGB is a share of a declared range (RAU §5.1.3), alpha one of 1. Signed numbers have 127
+// Four bytes a texel: RGB is a share of a declared range (RAU §5.1.3), alpha one of 1, or of four radiances one of the range too. Signed numbers have 127
 // steps to either side, so that zero, which is what an untouched texel holds, is exact.
 
 import package::common::out_of_range::clamp_to_range;
@@ -16,6 +16,14 @@ fn encode_texel(value: vec4f) -> vec4f {
 
 fn decode_texel(texel: vec4f) -> vec4f {
     return texel * vec4f(vec3f(ENCODING_RANGE), 1.0);
+}
+
+fn encode_radiances(values: vec4f) -> vec4f {
+    return clamp_to_range(values, vec4f(ENCODING_RANGE)) / ENCODING_RANGE;
+}
+
+fn decode_radiances(texel: vec4f) -> vec4f {
+    return texel * ENCODING_RANGE;
 }
 
 fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {

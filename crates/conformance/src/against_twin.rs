@@ -3,7 +3,7 @@
 
 use glam::{DVec3, DVec4, UVec3};
 use voxlume::twin::{Twin, Volumes, children};
-use voxlume::{Encoding, Property};
+use voxlume::{Numbers, Property};
 
 use crate::content::Random;
 use crate::substrate::opacity;
@@ -44,7 +44,7 @@ pub fn against_twin(
             "sample at cells",
             largest(exact.iter().zip(exact_values).map(|(probe, value)| {
                 let expected = twin.voxel_sample(&device, probe.uvw, probe.level, probe.direction);
-                over(bench.encoding, expected - *value, brightest)
+                over(bench, expected - *value, brightest)
             })),
         ),
         check(
@@ -53,15 +53,18 @@ pub fn against_twin(
                 let Probe { uvw, level, direction } = *probe;
                 let expected = twin.voxel_sample_ahead(&device, uvw, level, direction, *apex, *behind);
                 let rest = (expected.behind - seen.behind).extend(expected.known - seen.known);
-                let off = over(bench.encoding, expected.value - seen.value, brightest);
-                largest([off, over(bench.encoding, rest, 1.0)])
+                let off = over(bench, expected.value - seen.value, brightest);
+                largest([off, over(bench, rest, 1.0)])
             })),
         ),
         check(
             "sample between",
-            largest(between.iter().zip(between_values).map(|(probe, value)| {
-                sample_between(bench.encoding, twin, &device, probe, *value, brightest)
-            })),
+            largest(
+                between
+                    .iter()
+                    .zip(between_values)
+                    .map(|(probe, value)| sample_between(bench, twin, &device, probe, *value, brightest)),
+            ),
         ),
     ])
 }
@@ -73,12 +76,16 @@ fn largest(figures: impl IntoIterator<Item = f64>) -> f64 {
 
 /// A sample's difference over its bound. Divisions magnify what is lost in terms as large as the brightest radiance.
 /// Devices may filter bytes in bytes: half a step for each of seven interpolations, of up to three sides at √3 in all.
-fn over(encoding: Encoding, difference: DVec4, brightest: f64) -> f64 {
-    let filtered = match encoding {
-        Encoding::Rgba8 { .. } => 6.1 * absolute_rounding(encoding, false),
-        _ => DVec4::splat(f64::MIN_POSITIVE),
+fn over(bench: &Bench<'_>, difference: DVec4, brightest: f64) -> f64 {
+    let scale = DVec4::splat(brightest).with_w(1.0);
+    let bytes = bench.numbers().filter(|numbers| numbers.are_bytes(bench.encoding));
+    let step = |numbers| match numbers {
+        // Of opacities, which radiance is shared out by.
+        Numbers::Coverage => absolute_rounding(bench.encoding, numbers) * scale,
+        _ => absolute_rounding(bench.encoding, Numbers::Radiance),
     };
-    let bound = 16.0 * ARITHMETIC * DVec4::splat(brightest).with_w(1.0) + filtered;
+    let filtered = 6.1 * bytes.map(step).fold(DVec4::splat(f64::MIN_POSITIVE), DVec4::max);
+    let bound = 16.0 * ARITHMETIC * scale + filtered;
     (difference.abs() / bound).max_element()
 }
 
@@ -137,9 +144,9 @@ fn differences(
         a.values.iter().zip(&b.values).enumerate().map(move |(i, (a, b))| {
             let i = i as u32;
             let texel = UVec3::new(i % size.x, i / size.x % size.y, i / (size.x * size.y) % depth);
-            let a = clamped(bench.encoding, *a);
-            let lost = ARITHMETIC * terms(texel) + absolute_rounding(bench.encoding, volume.signed);
-            let bound = a.abs() * (relative_rounding(bench.encoding) + ARITHMETIC) + lost;
+            let a = clamped(bench.encoding, volume.numbers, *a);
+            let lost = ARITHMETIC * terms(texel) + absolute_rounding(bench.encoding, volume.numbers);
+            let bound = a.abs() * (relative_rounding(bench.encoding, volume.numbers) + ARITHMETIC) + lost;
             ((a - *b).abs() / bound).max_element()
         })
     }))
@@ -148,7 +155,7 @@ fn differences(
 /// Hardware picks filter weights in steps of 2⁻⁸ at the coarsest that WebGPU's devices have, so a sample is what exact
 /// filtering gives within so much of a texel and of a level.
 fn sample_between(
-    encoding: Encoding,
+    bench: &Bench<'_>,
     twin: &dyn Twin,
     device: &Volumes,
     probe: &Probe,
@@ -169,7 +176,7 @@ fn sample_between(
     // As much again, since each of a format's fetches is on its own.
     let slack = high - low;
     let outside = (low - slack - value).max(value - high - slack).max(DVec4::ZERO);
-    if value.is_finite() { over(encoding, outside, brightest) } else { f64::NAN }
+    if value.is_finite() { over(bench, outside, brightest) } else { f64::NAN }
 }
 
 /// Cones with their apices in the middles of cells, of which all that samples beside find are texels or means of two.

@@ -4,7 +4,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, UVec3};
 use voxlume::twin::{SeenAhead, Texels, Volumes};
 use voxlume::{
-    Camera, Choices, Encoding, Gpu, Library, Passes, ProbeSize, Renderer, Scene, StorageFormat, probe,
+    Camera, Choices, Encoding, Gpu, Library, Numbers, Passes, ProbeSize, Renderer, Scene, StorageFormat,
+    probe,
 };
 
 use crate::substrate::{Substrate, surface};
@@ -188,6 +189,11 @@ impl<'g> Bench<'g> {
             all.surfaces[index as usize] = Some(surface(voxel));
         }
         Ok(all)
+    }
+
+    /// What the volumes hold.
+    pub fn numbers(&self) -> impl Iterator<Item = Numbers> {
+        self.empty.volumes.iter().map(|(volume, _)| volume.numbers)
     }
 
     /// Volumes of zeroes.

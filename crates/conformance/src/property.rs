@@ -6,7 +6,7 @@ mod safety;
 mod shape;
 
 use glam::UVec3;
-use voxlume::Property;
+use voxlume::{Numbers, Property};
 
 use crate::{Bench, Check, Error, Probe, Report, absolute_rounding, directions, relative_rounding};
 
@@ -27,8 +27,19 @@ pub(crate) fn measure(bench: &mut Bench<'_>, report: &mut Report) -> Result<(), 
 /// What rounding explains at a level, over a radiance of 1: each level up to there rounds once, radiance and the opacity
 /// that it is divided by.
 fn rounding(bench: &Bench<'_>, level: u32) -> f64 {
-    let step = relative_rounding(bench.encoding) + absolute_rounding(bench.encoding, true).max_element();
-    2.0 * f64::from(level + 1) * step
+    rounding_of(bench, level, bench.numbers())
+}
+
+/// What rounding of radiance explains, where opacities are the same.
+fn radiance_rounding(bench: &Bench<'_>, level: u32) -> f64 {
+    rounding_of(bench, level, bench.numbers().filter(|numbers| *numbers != Numbers::Coverage))
+}
+
+fn rounding_of(bench: &Bench<'_>, level: u32, numbers: impl Iterator<Item = Numbers>) -> f64 {
+    let step = numbers.map(|numbers| {
+        relative_rounding(bench.encoding, numbers) + absolute_rounding(bench.encoding, numbers).max_element()
+    });
+    2.0 * f64::from(level + 1) * largest(step)
 }
 
 fn check(property: Property, at: impl Into<String>, figure: f64, bound: f64) -> Check {

@@ -1,6 +1,6 @@
 //! A plan's resources on the device.
 
-use voxlume_format::Encoding;
+use voxlume_format::{Encoding, Numbers};
 use voxlume_graph::{ImageTexel, Plan, ResourceKind, SceneFacts};
 use voxlume_scene::{Geometry, Scene};
 
@@ -239,8 +239,8 @@ pub(crate) fn create(
                 wgpu::BufferDescriptor { label: Some(name), size: bytes, usage, mapped_at_creation: false };
             gpu.guarded(name, || gpu.device.create_buffer(&descriptor)).map(Object::Buffer)
         }
-        ResourceKind::Volume { size, mips, encoding, signed } => {
-            let format = volume_format(encoding, signed);
+        ResourceKind::Volume { size, mips, encoding, numbers } => {
+            let format = volume_format(encoding, numbers);
             let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_DST;
             texture(size, mips, wgpu::TextureDimension::D3, format, usage)
         }
@@ -274,9 +274,10 @@ pub(crate) fn create(
 pub(crate) const RASTER_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
 /// As the aliases in wgsl/encoding/ say.
-fn volume_format(encoding: Encoding, signed: bool) -> wgpu::TextureFormat {
+fn volume_format(encoding: Encoding, numbers: Numbers) -> wgpu::TextureFormat {
     match encoding {
-        Encoding::Rgba8 { .. } if signed => wgpu::TextureFormat::Rgba8Snorm,
+        _ if numbers == Numbers::Coverage => wgpu::TextureFormat::Rgba8Unorm,
+        Encoding::Rgba8 { .. } if numbers.are_signed() => wgpu::TextureFormat::Rgba8Snorm,
         Encoding::Rgba8 { .. } => wgpu::TextureFormat::Rgba8Unorm,
         Encoding::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
         Encoding::Rgba32Float => wgpu::TextureFormat::Rgba32Float,

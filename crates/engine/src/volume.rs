@@ -1,7 +1,6 @@
 //! Buffers and volumes of a plan that are written and read from outside.
 
 use half::f16;
-use voxlume_format::Encoding;
 use voxlume_graph::ResourceKind;
 
 use crate::resources::Object;
@@ -29,12 +28,12 @@ impl Renderer<'_> {
         self.gpu.guarded(name, || self.gpu.queue.write_buffer(buffer, 0, bytes))
     }
 
-    /// The volumes of the plan, by name.
-    fn volumes(&self) -> impl Iterator<Item = (&str, &wgpu::Texture)> {
+    /// The volumes of the plan: name and what the largest of their bytes stand for.
+    fn volumes(&self) -> impl Iterator<Item = (&str, [f32; 4], &wgpu::Texture)> {
         let resources = self.plan().resources.iter().zip(&self.objects);
         resources.filter_map(|(resource, object)| match (&resource.kind, object) {
-            (ResourceKind::Volume { .. }, Object::Texture(texture)) => {
-                Some((resource.name.as_str(), texture))
+            (ResourceKind::Volume { encoding, numbers, .. }, Object::Texture(texture)) => {
+                Some((resource.name.as_str(), numbers.ranges(*encoding), texture))
             }
             _ => None,
         })
@@ -45,7 +44,7 @@ impl Renderer<'_> {
     /// # Errors
     /// The device is lost.
     pub fn clear_volumes(&self) -> Result<(), Error> {
-        for (name, texture) in self.volumes() {
+        for (name, _, texture) in self.volumes() {
             for mip in 0..texture.mip_level_count() {
                 let (size, layout) = layout(texture, mip);
                 let zeroes = vec![
@@ -65,11 +64,11 @@ impl Renderer<'_> {
     /// # Errors
     /// The plan has no such volume, or the device is lost.
     pub fn volume(&self, name: &str) -> Result<Vec<Texels>, Error> {
-        let Some((_, texture)) = self.volumes().find(|(volume, _)| *volume == name) else {
-            let known = self.volumes().map(|(name, _)| name.to_owned()).collect();
+        let Some((_, ranges, texture)) = self.volumes().find(|(volume, ..)| *volume == name) else {
+            let known = self.volumes().map(|(name, ..)| name.to_owned()).collect();
             return Err(Error::NoSuchImage { name: name.to_owned(), known });
         };
-        (0..texture.mip_level_count()).map(|mip| read(self.gpu, texture, mip, self.plan().encoding)).collect()
+        (0..texture.mip_level_count()).map(|mip| read(self.gpu, texture, mip, ranges)).collect()
     }
 }
 
@@ -86,7 +85,7 @@ fn layout(texture: &wgpu::Texture, mip: u32) -> (wgpu::Extent3d, wgpu::TexelCopy
     (size, layout)
 }
 
-fn read(gpu: &Gpu, texture: &wgpu::Texture, mip: u32, encoding: Encoding) -> Result<Texels, Error> {
+fn read(gpu: &Gpu, texture: &wgpu::Texture, mip: u32, ranges: [f32; 4]) -> Result<Texels, Error> {
     let (size, layout) = layout(texture, mip);
     let row = layout.bytes_per_row.unwrap_or(0) as usize;
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -106,22 +105,18 @@ fn read(gpu: &Gpu, texture: &wgpu::Texture, mip: u32, encoding: Encoding) -> Res
     let rows = bytes.chunks_exact(row).flat_map(|row| row[..used].chunks_exact(texel));
     Ok(Texels {
         size: [size.width, size.height, size.depth_or_array_layers],
-        values: rows.map(|texel| decode(format, encoding, texel)).collect(),
+        values: rows.map(|texel| decode(format, ranges, texel)).collect(),
     })
 }
 
 /// As `decode_texel` in `wgsl/encoding`.
-fn decode(format: wgpu::TextureFormat, encoding: Encoding, texel: &[u8]) -> [f32; 4] {
-    std::array::from_fn(|i| {
-        // Of bytes, RGB is a share of the range.
-        let scale = if i < 3 { encoding.range() } else { 1.0 };
-        match format {
-            wgpu::TextureFormat::Rgba8Snorm => (f32::from(texel[i] as i8) / 127.0).max(-1.0) * scale,
-            wgpu::TextureFormat::Rgba8Unorm => f32::from(texel[i]) / 255.0 * scale,
-            wgpu::TextureFormat::Rgba32Float => {
-                f32::from_le_bytes(std::array::from_fn(|byte| texel[4 * i + byte]))
-            }
-            _ => f16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]).to_f32(),
+fn decode(format: wgpu::TextureFormat, ranges: [f32; 4], texel: &[u8]) -> [f32; 4] {
+    std::array::from_fn(|i| match format {
+        wgpu::TextureFormat::Rgba8Snorm => (f32::from(texel[i] as i8) / 127.0).max(-1.0) * ranges[i],
+        wgpu::TextureFormat::Rgba8Unorm => f32::from(texel[i]) / 255.0 * ranges[i],
+        wgpu::TextureFormat::Rgba32Float => {
+            f32::from_le_bytes(std::array::from_fn(|byte| texel[4 * i + byte]))
         }
+        _ => f16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]).to_f32(),
     })
 }

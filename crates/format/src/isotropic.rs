@@ -7,7 +7,7 @@
 use glam::{DVec3, DVec4, UVec3};
 
 use crate::twin::{Twin, Volumes, children, composite_coverage};
-use crate::{Choices, Levels, Miss, Property, StorageFormat, Volume};
+use crate::{Choices, Levels, Miss, Numbers, Property, StorageFormat, Volume};
 
 /// See the module.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ impl StorageFormat for Isotropic {
     }
 
     fn volumes(&self, _: &Choices) -> Vec<Volume> {
-        vec![Volume { name: "base", levels: Levels::All, blocks: 1, signed: false }]
+        vec![Volume { name: "base", levels: Levels::All, blocks: 1, numbers: Numbers::Radiance }]
     }
 
     fn misses(&self) -> &[Miss] {

@@ -25,7 +25,7 @@ pub use property::{Miss, Property};
 pub use sh2::Sh2;
 pub use six_face::SixFace;
 pub use twin::Twin;
-pub use volume::{Levels, Volume, level_count};
+pub use volume::{Levels, Numbers, Volume, level_count};
 
 /// A directional basis for radiance and opacity in voxels.
 pub trait StorageFormat: std::fmt::Debug + Send + Sync {

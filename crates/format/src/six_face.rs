@@ -6,8 +6,8 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use crate::twin::{SeenAhead, Twin, Volumes};
-use crate::{Choices, FormatOption, Miss, Property, StorageFormat, Volume};
+use crate::twin::{Beside, SeenAhead, Twin, Volumes, ahead_along};
+use crate::{Choices, FormatOption, Miss, Numbers, Property, StorageFormat, Volume};
 
 /// See the module.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ impl StorageFormat for SixFace {
     }
 
     fn volumes(&self, choices: &Choices) -> Vec<Volume> {
-        Volume::directional("faces", 6, false, choices.word(&BASE) == "isotropic")
+        Volume::directional("faces", 6, Numbers::Radiance, choices.word(&BASE) == "isotropic")
     }
 
     fn misses(&self) -> &[Miss] {
@@ -126,7 +126,7 @@ impl SixFaceTwin {
         value / value.w.max(1.0)
     }
 
-    fn sample_faces_ahead(
+    fn see_faces_ahead(
         &self,
         volumes: &Volumes,
         uvw: DVec3,
@@ -135,28 +135,12 @@ impl SixFaceTwin {
         apex: DVec3,
         before: DVec3,
     ) -> SeenAhead {
-        let texels = volumes.volumes[self.faces()].1[0].size.as_dvec3() / DVec3::new(1.0, 1.0, FACES.into());
-        let size = texels / level.ceil().exp2();
-        let (mut sum, mut known, mut behind) = (DVec4::ZERO, DVec4::ZERO, before);
-        for axis in 0..3 {
-            let (cells, slope) = (size[axis], direction[axis]);
-            let side = if slope == 0.0 { 0.0 } else { slope.signum() };
-            let beside = |offset: f64| {
-                let mut place = uvw;
-                place[axis] = apex[axis] + side * offset / cells;
-                let inside = (0.5 + cells * (0.5 - (place[axis] - 0.5).abs())).clamp(0.0, 1.0);
-                inside * self.face(volumes, axis, place, level, direction)
-            };
-            behind[axis] = before[axis].max((beside(-1.0).w / 0.25).min(1.0));
-            let found = self.face(volumes, axis, uvw, level, direction);
-            sum += slope.abs() * found;
-            let near = (uvw[axis] - apex[axis]) * side * cells < 1.5;
-            let ahead = beside(1.5);
-            let same = ahead * (found.w / ahead.w.max(1e-6)).min(1.0);
-            known += slope.abs() * if near { found.lerp(same, behind[axis]) } else { found };
-        }
-        let scale = 1.0 / sum.w.max(1.0);
-        SeenAhead { value: known.with_w(sum.w) * scale, known: known.w * scale, behind }
+        let side = ahead_along(direction);
+        let face = |axis, place| self.face(volumes, axis, place, level, direction);
+        let beside = Beside::new(uvw, apex, side, volumes.cells(self.faces(), level), face);
+        let (behind, hidden) = beside.hidden(before);
+        let found = std::array::from_fn(|axis| face(axis, uvw));
+        beside.see(&found, hidden, behind, direction)
     }
 }
 
@@ -213,14 +197,9 @@ impl Twin for SixFaceTwin {
         behind: DVec3,
     ) -> SeenAhead {
         if !self.isotropic_base() {
-            return self.sample_faces_ahead(volumes, uvw, level, direction, apex, behind);
+            return self.see_faces_ahead(volumes, uvw, level, direction, apex, behind);
         }
-        let coarse = self.sample_faces_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
-        if level >= 1.0 {
-            return coarse;
-        }
-        let value = volumes.sample_over_base(0, uvw, level, coarse.value);
-        let unknown = level.max(0.0) * (coarse.value.w - coarse.known);
-        SeenAhead { value, known: value.w - unknown, behind: coarse.behind }
+        let coarse = self.see_faces_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
+        if level >= 1.0 { coarse } else { coarse.over_base(volumes, uvw, level) }
     }
 }

@@ -6,7 +6,8 @@ mod surface;
 mod volumes;
 
 pub use coverage::composite_coverage;
-pub use seen_ahead::SeenAhead;
+pub(crate) use seen_ahead::Beside;
+pub use seen_ahead::{SeenAhead, ahead_along};
 pub use surface::{ATTRIBUTE_WORDS, VoxelSurface};
 pub use volumes::{Texels, Volumes};
 

@@ -18,6 +18,47 @@ pub enum Levels {
     Coarser,
 }
 
+/// What the numbers of a volume's texels are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// Radiance and in alpha opacity, not below zero.
+    Radiance,
+    /// The same below zero too: coefficients.
+    Signed,
+    /// Four radiances, below zero too. In WGSL `encode_radiances` and `decode_radiances` stand for `encode_texel` and
+    /// `decode_texel`.
+    Radiances,
+    /// Four shares of 1, each a byte whatever the encoding is.
+    Coverage,
+}
+
+impl Numbers {
+    /// Whether each is a byte.
+    pub fn are_bytes(self, encoding: Encoding) -> bool {
+        self == Numbers::Coverage || matches!(encoding, Encoding::Rgba8 { .. })
+    }
+
+    /// Whether they go below zero.
+    pub fn are_signed(self) -> bool {
+        matches!(self, Numbers::Signed | Numbers::Radiances)
+    }
+
+    /// The largest of each channel.
+    pub fn ranges(self, encoding: Encoding) -> [f32; 4] {
+        let range = encoding.range();
+        match (self, encoding) {
+            (Numbers::Coverage, _) => [1.0; 4],
+            (Numbers::Radiance | Numbers::Signed, Encoding::Rgba8 { .. }) => [range, range, range, 1.0],
+            _ => [range; 4],
+        }
+    }
+
+    /// Bytes of a texel.
+    pub fn texel_bytes(self, encoding: Encoding) -> u64 {
+        if self.are_bytes(encoding) { 4 } else { encoding.texel_bytes() }
+    }
+}
+
 /// A 3D texture of a format. Blocks stand one above the other along z, one for each direction or coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Volume {
@@ -27,19 +68,24 @@ pub struct Volume {
     pub levels: Levels,
     /// Blocks along z.
     pub blocks: u32,
-    /// Whether it holds numbers below zero.
-    pub signed: bool,
+    /// What its texels hold.
+    pub numbers: Numbers,
 }
 
 impl Volume {
     /// The volumes of a format whose blocks begin at level 1, over a level 0 called `base` that is the same from all
     /// sides, or else at level 0.
-    pub fn directional(name: &'static str, blocks: u32, signed: bool, isotropic_base: bool) -> Vec<Volume> {
+    pub fn directional(
+        name: &'static str,
+        blocks: u32,
+        numbers: Numbers,
+        isotropic_base: bool,
+    ) -> Vec<Volume> {
         if isotropic_base {
-            let base = Volume { name: "base", levels: Levels::Finest, blocks: 1, signed: false };
-            vec![base, Volume { name, levels: Levels::Coarser, blocks, signed }]
+            let base = Volume { name: "base", levels: Levels::Finest, blocks: 1, numbers: Numbers::Radiance };
+            vec![base, Volume { name, levels: Levels::Coarser, blocks, numbers }]
         } else {
-            vec![Volume { name, levels: Levels::All, blocks, signed }]
+            vec![Volume { name, levels: Levels::All, blocks, numbers }]
         }
     }
 
@@ -76,6 +122,6 @@ impl Volume {
         let texels: u64 = (0..self.mip_levels(grid))
             .map(|mip| self.size(grid).into_iter().map(|n| u64::from((n >> mip).max(1))).product::<u64>())
             .sum();
-        texels * encoding.texel_bytes()
+        texels * self.numbers.texel_bytes(encoding)
     }
 }

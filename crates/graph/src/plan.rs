@@ -1,6 +1,6 @@
 //! A plan: what a device has to do, as plain data.
 
-use voxlume_format::Encoding;
+use voxlume_format::{Encoding, Numbers};
 use voxlume_shader::{BindingKind, Shader};
 
 use crate::grid::Grid;
@@ -62,8 +62,8 @@ pub enum ResourceKind {
         mips: u32,
         /// Texel encoding.
         encoding: Encoding,
-        /// Whether it holds numbers below zero.
-        signed: bool,
+        /// What its texels hold.
+        numbers: Numbers,
     },
     /// A texture of the screen's size.
     Image {
@@ -271,7 +271,9 @@ impl Plan {
             ResourceKind::Buffer(bytes) => *bytes,
             ResourceKind::PerVoxel(bytes) => bytes * voxels,
             ResourceKind::PerCell(bytes) => bytes * cells,
-            ResourceKind::Volume { size, mips, encoding, .. } => volume_bytes(*size, *mips, *encoding),
+            ResourceKind::Volume { size, mips, encoding, numbers } => {
+                volume_texels(*size, *mips) * numbers.texel_bytes(*encoding)
+            }
             ResourceKind::Image { texel, layers } => width * height * u64::from(*layers) * texel.bytes(),
             ResourceKind::Raster { side } => u64::from(*side).pow(2),
             ResourceKind::ShadowMaps { size, layers } => u64::from(*size).pow(2) * u64::from(*layers) * 4,
@@ -279,7 +281,6 @@ impl Plan {
     }
 }
 
-fn volume_bytes(size: [u32; 3], mips: u32, encoding: Encoding) -> u64 {
-    (0..mips).map(|mip| size.iter().map(|n| u64::from((n >> mip).max(1))).product::<u64>()).sum::<u64>()
-        * encoding.texel_bytes()
+fn volume_texels(size: [u32; 3], mips: u32) -> u64 {
+    (0..mips).map(|mip| size.iter().map(|n| u64::from((n >> mip).max(1))).product::<u64>()).sum()
 }

@@ -13,7 +13,7 @@
 //! **What it gets wrong.** Both sides of a wall mix by 6 %; behind a lobe opacity is up to 0.06 where it is 0.
 
 // ANCHOR: format
-use voxlume::{Choices, Formats, Library, Miss, Property, Source, StorageFormat, Twin, Volume};
+use voxlume::{Choices, Formats, Library, Miss, Numbers, Property, Source, StorageFormat, Twin, Volume};
 
 mod twin;
 
@@ -35,8 +35,8 @@ impl StorageFormat for Sh3 {
     }
 
     fn volumes(&self, _: &Choices) -> Vec<Volume> {
-        let (signed, isotropic_base) = (true, true);
-        Volume::directional("nine", 9, signed, isotropic_base)
+        let isotropic_base = true;
+        Volume::directional("nine", 9, Numbers::Signed, isotropic_base)
     }
     // ANCHOR_END: format
 

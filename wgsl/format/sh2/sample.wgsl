@@ -1,13 +1,16 @@
 // SH sampling: the radiance that leaves against the direction of travel (RAU §5.2.3). Two bands of a one-sided
-// emitter overshoot to 1.25 ahead and −0.25 behind. So radiance is divided by what the same two bands give for a
-// radiance of 1, which makes it exact for surfaces of one radiance. What is negative is clamped to zero, or band 1 is
-// windowed so that nothing is: of a one-sided emitter 2/3 of it remains, which gives 1 ahead and 0 behind.
+// emitter overshoot to 1.25 ahead and −0.25 behind. So they are read as what the sides show: band 1 says by how much
+// opposite sides differ, and the rest of band 0 is both sides'. Nothing is negative, and a dark side beside lit ones stays dark.
+// Or the bands are summed up in the direction (`bands`).
 
 import package::common::isotropic_base::sample_over_base;
-import package::common::seen_ahead::{SeenAhead, all_ahead};
-import package::common::volume::sample_block;
-import package::format::basis::{COEFFICIENTS, SH0, SH1, LOBE0, LOBE1, decode_opacity, mean_opacity};
-import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_WINDOW};
+import package::common::seen_ahead::{SeenAhead, ahead_along, all_ahead, behind_apex, beside_apex, hidden_axes, inside_grid, see_ahead, see_over_base};
+import package::common::volume::block_uvw;
+import package::common::volume_sampler::volume_sampler;
+import package::encoding::{decode_radiances, filter_volume};
+import package::format::bands::radiance_by_bands;
+import package::format::cell::{COVERAGE, Cell, HARMONICS, seen_along, shared_by_axes};
+import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_SIDES};
 
 // Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
 // that it leaves.
@@ -15,51 +18,97 @@ const VOXEL_ONE_SIDED = true;
 
 @group(2) @binding(1) var base: texture_3d<f32>;
 @group(2) @binding(2) var harmonics: texture_3d<f32>;
+@group(2) @binding(3) var coverage: texture_3d<f32>;
 
-// The largest share of band 1, [0, 1], with which nothing is negative in any direction; of each channel.
-fn window(band0: vec3f, size1: vec3f) -> vec3f {
-    if (NEGATIVES != NEGATIVES_WINDOW) {
-        return vec3f(1.0);
-    }
-    return saturate(band0 / max(size1, vec3f(1e-20)));
+// By how much the positive side of an axis shows more, and of band 0 the colour with the axis' number. `level` counts from the
+// coefficients' first, here and below.
+fn harmonics_at(axis: u32, uvw: vec3f, level: f32) -> vec4f {
+    return decode_radiances(filter_volume(harmonics, block_uvw(harmonics, axis, HARMONICS, uvw, level), level));
 }
 
-// `level` counts from the coefficients' first.
-fn sample_harmonics(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    let c0 = sample_block(harmonics, 0, COEFFICIENTS, uvw, level);
-    let cx = sample_block(harmonics, 1, COEFFICIENTS, uvw, level);
-    let cy = sample_block(harmonics, 2, COEFFICIENTS, uvw, level);
-    let cz = sample_block(harmonics, 3, COEFFICIENTS, uvw, level);
-    let alpha = vec4f(c0.a, cx.a, cy.a, cz.a);
-    let six = decode_opacity(alpha);
-    // The observer is where the ray comes from; a cell crossed at a slant is crossed on all three axes.
-    let facing = select(six.positive, six.negative, direction > vec3f(0.0));
-    let opacity = min(dot(abs(direction), facing), 1.0);
-    let band0 = SH0 * c0.rgb;
-    let band1 = SH1 * (direction.x * cx.rgb + direction.y * cy.rgb + direction.z * cz.rgb);
-    let size1 = SH1 * sqrt(cx.rgb * cx.rgb + cy.rgb * cy.rgb + cz.rgb * cz.rgb);
-    let radiance = band0 - window(band0, size1) * band1;
-    // The same for a radiance of 1: from what both sides have as much goes ahead as back.
-    let more = alpha.yzw;
-    let lobe = (abs(more.x) + abs(more.y) + abs(more.z)) / 6.0;
-    let mean = mean_opacity(alpha);
-    let unit0 = SH0 * LOBE0 * mean;
-    let unit1 = SH1 * LOBE1 * lobe;
-    let unit = unit0 - window(vec3f(unit0), vec3f(unit1)).x * unit1 * dot(direction, more) / max(length(more), 1e-6);
-    return vec4f(max(radiance, vec3f(0.0)) / max(unit, 0.35 * mean + 1e-6) * opacity, opacity);
+fn coverage_at(negative: bool, uvw: vec3f, level: f32) -> vec3f {
+    let place = block_uvw(coverage, select(0u, 1u, negative), COVERAGE, uvw, level);
+    return textureSampleLevel(coverage, volume_sampler, place, level).xyz;
+}
+
+fn cell_at(uvw: vec3f, level: f32) -> Cell {
+    let x = harmonics_at(0, uvw, level);
+    let y = harmonics_at(1, uvw, level);
+    let z = harmonics_at(2, uvw, level);
+    let band1 = mat3x3f(x.rgb, y.rgb, z.rgb);
+    return Cell(vec3f(x.a, y.a, z.a), band1, coverage_at(false, uvw, level), coverage_at(true, uvw, level));
+}
+
+fn sample_sides(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
+    let c = cell_at(uvw, level);
+    let value = seen_along(c, ahead_along(direction), shared_by_axes(c)) * abs(direction);
+    if (NEGATIVES == NEGATIVES_SIDES) {
+        return value / max(value.a, 1.0);
+    }
+    let opacity = min(value.a, 1.0);
+    return vec4f(radiance_by_bands(c, direction) * opacity, opacity);
 }
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     if (BASE != BASE_ISOTROPIC) {
-        return sample_harmonics(uvw, level, direction);
+        return sample_sides(uvw, level, direction);
     }
-    let coarse = sample_harmonics(uvw, max(level - 1.0, 0.0), direction);
+    let coarse = sample_sides(uvw, max(level - 1.0, 0.0), direction);
     if (level >= 1.0) {
         return coarse;
     }
     return sample_over_base(base, uvw, level, coarse);
 }
 
+// The opacities of the sides towards the observer, of cells beside: each axis' coordinate is moved to `beside`.
+fn opacity_beside(uvw: vec3f, beside: vec3f, size: vec3f, level: f32, side: vec3f) -> vec3f {
+    return inside_grid(beside, size) * vec3f(
+        coverage_at(side.x > 0.0, vec3f(beside.x, uvw.yz), level).x,
+        coverage_at(side.y > 0.0, vec3f(uvw.x, beside.y, uvw.z), level).y,
+        coverage_at(side.z > 0.0, vec3f(uvw.xy, beside.z), level).z,
+    );
+}
+
+// Of the same sides what they show more than the opposite ones, and their opacities.
+fn sides_beside(uvw: vec3f, beside: vec3f, size: vec3f, level: f32, side: vec3f) -> mat3x4f {
+    let opacity = opacity_beside(uvw, beside, size, level, side);
+    let shown = -side * inside_grid(beside, size);
+    return mat3x4f(
+        vec4f(max(shown.x * harmonics_at(0, vec3f(beside.x, uvw.yz), level).rgb, vec3f(0.0)), opacity.x),
+        vec4f(max(shown.y * harmonics_at(1, vec3f(uvw.x, beside.y, uvw.z), level).rgb, vec3f(0.0)), opacity.y),
+        vec4f(max(shown.z * harmonics_at(2, vec3f(uvw.xy, beside.z), level).rgb, vec3f(0.0)), opacity.z),
+    );
+}
+
+// What both sides share may be of what lies behind, so it counts only where nothing does along the other axes, and of cells
+// ahead not at all.
+fn see_sides_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, before: vec3f) -> SeenAhead {
+    let side = ahead_along(direction);
+    // Cells along each side.
+    let size = vec3f(textureDimensions(coverage)) / (vec3f(1.0, 1.0, f32(COVERAGE)) * exp2(ceil(level)));
+    let behind = behind_apex(before, opacity_beside(uvw, beside_apex(apex, -side, size), size, level, side));
+    let hidden = hidden_axes(behind, uvw, apex, side, size);
+    let clear = 1.0 - max(hidden.yzx, hidden.zxy);
+    let c = cell_at(uvw, level);
+    let of_both = shared_by_axes(c);
+    let found = seen_along(c, side, mat3x3f(of_both[0] * clear.x, of_both[1] * clear.y, of_both[2] * clear.z));
+    var ahead = found;
+    if (any(hidden > vec3f(0.0))) {
+        ahead = sides_beside(uvw, beside_apex(apex, side, size), size, level, side);
+    }
+    return see_ahead(found, ahead, hidden, behind, direction);
+}
+
 fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead {
-    return all_ahead(voxel_sample(uvw, level, direction));
+    if (NEGATIVES != NEGATIVES_SIDES) {
+        return all_ahead(voxel_sample(uvw, level, direction));
+    }
+    if (BASE != BASE_ISOTROPIC) {
+        return see_sides_ahead(uvw, level, direction, apex, behind);
+    }
+    let coarse = see_sides_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind);
+    if (level >= 1.0) {
+        return coarse;
+    }
+    return see_over_base(base, uvw, level, coarse);
 }

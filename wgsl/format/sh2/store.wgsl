@@ -1,13 +1,14 @@
 // 2-band spherical harmonics: level 0 is isotropic and coefficients begin at level 1, or at level 0.
 
 import package::common::volume::block_texel;
-import package::encoding::{SignedVolumeTarget, VolumeTarget, encode_texel};
-import package::format::basis::COEFFICIENTS;
-import package::format::lobe::voxel_lobe;
+import package::encoding::{SignedVolumeTarget, VolumeTarget, encode_radiances, encode_texel};
+import package::format::cell::{COVERAGE, CoverageTarget, HARMONICS, coverage_texel};
 import package::format::options::{BASE, BASE_ISOTROPIC};
+import package::format::voxel::voxel_cell;
 
 @group(2) @binding(8) var base_level0: VolumeTarget;
 @group(2) @binding(9) var harmonics_level0: SignedVolumeTarget;
+@group(2) @binding(10) var coverage_level0: CoverageTarget;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
     let value = vec4f(radiance * opacity, opacity);
@@ -15,9 +16,12 @@ fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
         textureStore(base_level0, cell, encode_texel(value));
         return;
     }
-    let depth = textureDimensions(harmonics_level0).z;
-    var c = voxel_lobe(cell, value);
-    for (var k = 0u; k < COEFFICIENTS; k++) {
-        textureStore(harmonics_level0, block_texel(cell, k, COEFFICIENTS, depth), encode_texel(c[k]));
+    let c = voxel_cell(cell, value);
+    let depth = textureDimensions(coverage_level0).z / COVERAGE;
+    for (var axis = 0u; axis < HARMONICS; axis++) {
+        let texel = block_texel(cell, axis, HARMONICS, depth * HARMONICS);
+        textureStore(harmonics_level0, texel, encode_radiances(vec4f(c.band1[axis], c.band0[axis])));
     }
+    textureStore(coverage_level0, cell, coverage_texel(c.positive));
+    textureStore(coverage_level0, block_texel(cell, 1, COVERAGE, depth * COVERAGE), coverage_texel(c.negative));
 }

@@ -3,7 +3,7 @@
 use glam::DVec4;
 use voxlume::{Encoding, Property};
 
-use super::{all_round, check, largest, rounding};
+use super::{all_round, check, largest, radiance_rounding, rounding};
 use crate::{Bench, Check, Content, Error, Probe, Symmetry};
 
 /// Radiance over the sphere and all cells, times the face of a cell, at each level: what all cells send into a
@@ -64,7 +64,7 @@ pub fn linear(bench: &mut Bench<'_>) -> Result<Vec<Check>, Error> {
     let whole = bench.run(&sum, &probes)?;
     let parts = [bench.run(&part(0.9, false), &probes)?, bench.run(&part(0.9, true), &probes)?];
     let miss = |i: usize| (parts[0][i] + parts[1][i] - whole[i]).truncate().abs().max_element();
-    by_level(bench, Property::Linear, &probes, miss)
+    by_level(bench, Property::Linear, &probes, miss, radiance_rounding)
 }
 
 /// The 48 symmetries of the cube.
@@ -79,7 +79,7 @@ pub fn symmetric(bench: &mut Bench<'_>) -> Result<Vec<Check>, Error> {
             miss[i] = largest([miss[i], (*value - plain[i]).abs().max_element()]);
         }
     }
-    by_level(bench, Property::Symmetric, &probes, |i| miss[i])
+    by_level(bench, Property::Symmetric, &probes, |i| miss[i], rounding)
 }
 
 /// Two results with their own rounding are compared: twice the bound.
@@ -88,6 +88,7 @@ fn by_level(
     property: Property,
     probes: &[Probe],
     miss: impl Fn(usize) -> f64,
+    rounding: fn(&Bench<'_>, u32) -> f64,
 ) -> Result<Vec<Check>, Error> {
     let of = |level: u32| {
         let here = (0..probes.len()).filter(|i| probes[*i].level == f64::from(level));

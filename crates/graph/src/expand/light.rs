@@ -74,8 +74,8 @@ fn volumes(e: &mut Expansion<'_, '_>) -> Vec<(Volume, usize)> {
     volumes
         .into_iter()
         .map(|volume| {
-            let (size, mips, signed) = (volume.size(grid), volume.mip_levels(grid), volume.signed);
-            let kind = ResourceKind::Volume { size, mips, encoding, signed };
+            let (size, mips, numbers) = (volume.size(grid), volume.mip_levels(grid), volume.numbers);
+            let kind = ResourceKind::Volume { size, mips, encoding, numbers };
             (volume, e.context.resource(volume.name, kind))
         })
         .collect()
