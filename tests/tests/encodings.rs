@@ -91,10 +91,10 @@ fn encodings_agree_up_to_their_rounding() {
         // Half floats round by 2⁻¹¹ of each of a few values that add up.
         let half = differs(of("rgba16float", false));
         assert!(half < 2e-3, "{word}: {half}");
-        // Steps of range/255, of range/127 in the two bands, whose numbers are a sixth of the radiance for a wall:
-        // figures measured (0.023 and 0.12), to notice a change for the worse.
+        // Steps of range/255, of range/127 in the two bands: figures measured (0.025 and 0.065), to notice a change for
+        // the worse.
         let bytes = differs(of("rgba8:range=1.5", false));
-        assert!(bytes < if word.starts_with("sh2") { 0.15 } else { 0.03 }, "{word}: {bytes}");
+        assert!(bytes < if word.starts_with("sh2") { 0.08 } else { 0.03 }, "{word}: {bytes}");
         // A filter's weights have 8 bits at least; where the device has more, as here, nothing is left.
         let by_hand = if word.contains(':') { 0.0 } else { differs(of("rgba32float", false)) };
         assert!(by_hand < 4e-3, "{word}: {by_hand}");

@@ -39,15 +39,21 @@ fn filtering_by_hand_is_filtering() {
 #[test]
 fn projection_shrinks_band_one_by_a_third() {
     let text = kernel(
-        "import package::format::project::project_child;",
+        "import package::format::cell::Cell;\nimport package::format::project::project_child;",
         "var sum: array<vec3f, 4>;
         if (i > 0) { return; }
-        let c = array(vec4f(1.0, 0.0, 1.0, 0.0), vec4f(0.0, 1.0, 0.5, 0.0), vec4f(0.0, 0.0, 0.25, 0.0), vec4f());
+        var c = Cell();
+        c.band0 = vec3f(1.0, 0.0, 1.0);
+        c.band1 = mat3x3f(vec3f(0.0, 1.0, 0.5), vec3f(0.0, 0.0, 0.25), vec3f(0.0));
         for (var child = 0u; child < 8; child++) {
             let offset = vec3u(child & 1, (child >> 1) & 1, child >> 2);
             let sent = project_child(c, 1.0 - 2.0 * vec3f(offset));
-            for (var k = 0; k < 4; k++) { sum[k] += sent[k] / 8.0; }
-            if (child == 0) { for (var k = 0; k < 4; k++) { out[12 + k] = sent[k].x; } }
+            sum[0] += sent.band0 / 8.0;
+            for (var k = 0; k < 3; k++) { sum[k + 1] += sent.band1[k] / 8.0; }
+            if (child == 0) {
+                out[12] = sent.band0.x;
+                for (var k = 0; k < 3; k++) { out[13 + k] = sent.band1[k].x; }
+            }
         }
         for (var k = 0; k < 12; k++) { out[k] = sum[k / 3][k % 3]; }",
     );
@@ -60,9 +66,9 @@ fn projection_shrinks_band_one_by_a_third() {
         assert!((got - expected).abs() < 1e-6, "{out:?}");
     }
     let alone = &out[12..];
-    // By hand: (near·(−1 + 1 + 1)/√3 + far·(3 + 1 + 1)/√11) · SH0 · √(π/3) / π, away from the child.
+    // By hand: (near·(−1 + 1 + 1)/√3 + far·(3 + 1 + 1)/√11) · 2/3 / π, away from the child.
     assert!(
-        (alone[0] - 1.0).abs() < 1e-6 && alone[1..].iter().all(|x| (x - 0.314_09).abs() < 1e-5),
+        (alone[0] - 1.0).abs() < 1e-6 && alone[1..].iter().all(|x| (x - 0.725_36).abs() < 1e-5),
         "{out:?}"
     );
 }
@@ -71,14 +77,14 @@ fn projection_shrinks_band_one_by_a_third() {
 #[test]
 fn the_window_is_two_thirds_of_a_lobe() {
     let text = kernel(
-        "import package::format::sample::window;",
+        "import package::format::bands::window;",
         "let share = window(vec3f(0.5, 0.5, 0.0), vec3f(0.75, 0.25, 0.5));
         out[0] = share.x; out[1] = share.y; out[2] = share.z;",
     );
     let mounts = [("format", "format/sh2"), ("encoding", "encoding/rgba16float")];
     let of = |word: f64| run_kernel(&text, &mounts, &[("NEGATIVES", word)], None, 3);
-    assert_eq!(of(1.0), [2.0 / 3.0, 1.0, 0.0]);
-    assert_eq!(of(0.0), [1.0; 3]);
+    assert_eq!(of(2.0), [2.0 / 3.0, 1.0, 0.0]);
+    assert_eq!(of(1.0), [1.0; 3]);
 }
 
 /// Weights of the six faces for a normal.
