@@ -34,7 +34,7 @@ fn main() {
                 set: vec![("filter".into(), "cells".into(), Value::Word(cells.into()))],
                 ..Request::image(8, 8)
             };
-            let facts = SceneFacts::of(&scene);
+            let facts = SceneFacts::of(&scene).expect("checked as it was loaded");
             let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request);
             median(&gpu, split(plan.expect("a plan")), &scene)
         };

@@ -33,7 +33,7 @@ pub fn gi() -> Pipeline {
 /// # Panics
 /// The pipeline or the request is at fault.
 pub fn plan_for(pipeline: &Pipeline, scene: &Scene, request: &Request) -> Plan {
-    let facts = SceneFacts::of(scene);
+    let facts = SceneFacts::of(scene).unwrap_or_else(|faults| panic!("{faults}"));
     voxlume::plan(pipeline, &facts, &Formats::builtin(), &Library::builtin(), request)
         .unwrap_or_else(|faults| panic!("{faults}"))
 }

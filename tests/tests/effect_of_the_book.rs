@@ -62,7 +62,7 @@ fn the_page_shows_the_fault_as_it_is() {
     let file = folder.path().join("bent_normal.ron");
     let text = std::fs::read_to_string(&file).unwrap().replace("step: 1.0, distance", "step: 2.0, distance");
     std::fs::write(&file, text).unwrap();
-    let facts = SceneFacts::of(&scene(false));
+    let facts = SceneFacts::of(&scene(false)).unwrap();
     let (pipeline, request) = (Pipeline::load(&file).unwrap(), Request::image(8, 8));
     let faults = voxlume::plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request);
     let told = faults.unwrap_err().to_string().replace(folder.path().to_str().unwrap(), "write-an-effect");

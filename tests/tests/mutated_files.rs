@@ -84,7 +84,7 @@ fn scenes() {
 
 #[test]
 fn pipelines() {
-    let facts = SceneFacts::of(&built_in("cornell.ron"));
+    let facts = SceneFacts::of(&built_in("cornell.ron")).unwrap();
     let text = std::fs::read_to_string(root().join("pipelines/gi.ron")).unwrap();
     let (formats, library) = (Formats::builtin(), Library::builtin());
     survive("pipelines", 400, |random| {

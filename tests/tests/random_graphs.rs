@@ -69,7 +69,7 @@ proptest! {
             ..Request::image(screen[0], screen[1])
         };
         let scene = built_in(scene);
-        match plan(&pipeline, &SceneFacts::of(&scene), &Formats::builtin(), &Library::builtin(), &request) {
+        match plan(&pipeline, &SceneFacts::of(&scene).unwrap(), &Formats::builtin(), &Library::builtin(), &request) {
             Err(faults) => prop_assert!(!faults.to_string().trim().is_empty()),
             Ok(plan) => {
                 let mut renderer = Renderer::new(gpu(), plan, &scene).map_err(|e| TestCaseError::fail(e.to_string()))?;

@@ -69,7 +69,7 @@ fn voxelization(
         set: [method].into_iter().chain(cutoff).collect(),
         ..Request::image(1, 1)
     };
-    let facts = SceneFacts::of(scene);
+    let facts = SceneFacts::of(scene).map_err(|faults| faults.to_string())?;
     let mut plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request)
         .map_err(|faults| faults.to_string())?;
     plan.passes.retain(|pass| pass.name == "voxelize");

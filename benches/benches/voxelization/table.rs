@@ -1,6 +1,6 @@
 //! Lines of Markdown.
 
-use voxlume::{Scene, SceneFacts};
+use voxlume::Scene;
 
 use crate::arguments::Arguments;
 use crate::measure::Cell;
@@ -14,7 +14,7 @@ pub fn head(arguments: &Arguments) {
 
 /// One row, its fastest cells in bold; triangles a second and bytes are those of the fastest.
 pub fn row(name: &str, scene: &Scene, resolution: u32, separability: &str, attributes: bool, cells: &[Cell]) {
-    let triangles = SceneFacts::of(scene).triangles;
+    let triangles: usize = scene.instances.iter().map(|i| scene.meshes[i.mesh].triangles.len()).sum();
     let Some(best) = cells.iter().min_by(|a, b| a.milliseconds.total_cmp(&b.milliseconds)) else { return };
     let times: Vec<String> = cells
         .iter()
@@ -27,7 +27,7 @@ pub fn row(name: &str, scene: &Scene, resolution: u32, separability: &str, attri
         "| {name} | {triangles} | {resolution}³ | {separability} | {} | {} | {:.1} | {:.1} |",
         if attributes { "yes" } else { "no" },
         times.join(" | "),
-        f64::from(triangles) / best.milliseconds / 1e3,
+        triangles as f64 / best.milliseconds / 1e3,
         best.bytes as f64 / f64::from(1 << 20)
     );
 }

@@ -108,7 +108,7 @@ pub fn plan(
     scene: &Scene,
     request: &Request,
 ) -> Result<Plan, Faults> {
-    voxlume::plan(pipeline, &SceneFacts::of(scene), &registry.formats, &registry.library, request)
+    voxlume::plan(pipeline, &SceneFacts::of(scene)?, &registry.formats, &registry.library, request)
 }
 
 /// Width and height of an image.

@@ -57,6 +57,7 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         let fault = Fault::new(error.to_string());
         match error {
+            Error::Scene(faults) => Failure::Input(faults),
             Error::NoSuchAdapter { .. }
             | Error::NoSuchImage { .. }
             | Error::TooLarge { .. }

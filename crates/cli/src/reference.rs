@@ -73,7 +73,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let camera = camera(&scene, args.camera.as_deref())?.clone();
     let pipeline = pipeline::load("gi")?;
     let [width, height] = args.size;
-    let facts = SceneFacts::of(&scene);
+    let facts = SceneFacts::of(&scene)?;
     // The plan tells the grid and which emitters are lights; its own size doesn't matter.
     let plan =
         voxlume::plan(&pipeline, &facts, &registry.formats, &registry.library, &Request::image(64, 64))?;

@@ -64,6 +64,9 @@ pub enum Error {
     /// The device is gone.
     #[error("the device was lost: {0}")]
     Lost(String),
+    /// The scene is not what it has to be.
+    #[error(transparent)]
+    Scene(#[from] voxlume_fault::Faults),
     /// A buffer that the plan doesn't have.
     #[error("no buffer is called `{0}`")]
     NoSuchBuffer(String),

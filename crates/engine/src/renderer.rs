@@ -51,7 +51,7 @@ impl<'g> Renderer<'g> {
     /// # Errors
     /// The device refuses something or is lost.
     pub fn new(gpu: &'g Gpu, plan: Plan, scene: &Scene) -> Result<Renderer<'g>, Error> {
-        let facts = SceneFacts::of(scene);
+        let facts = SceneFacts::of(scene)?;
         let uploaded = SceneObjects::new(gpu, &plan, &facts, scene)?;
         let mut objects = Vec::new();
         for (index, resource) in plan.resources.iter().enumerate() {

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use voxlume_fault::Faults;
 use voxlume_scene::{Instance, LightKind, Mesh, Scene};
 
 /// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
@@ -66,7 +67,11 @@ fn longest_edge(instance: &Instance, mesh: &Mesh) -> f64 {
 
 impl SceneFacts {
     /// Reads them off a scene.
-    pub fn of(scene: &Scene) -> SceneFacts {
+    ///
+    /// # Errors
+    /// The faults that [`Scene::check`] finds.
+    pub fn of(scene: &Scene) -> Result<SceneFacts, Faults> {
+        scene.check()?;
         let meshes = || scene.instances.iter().map(|instance| &scene.meshes[instance.mesh]);
         let used: Vec<_> = {
             let mut used = vec![false; scene.materials.len()];
@@ -80,7 +85,7 @@ impl SceneFacts {
         let emissive = used.iter().any(|material| material.emission.max_element() > 0.0);
         let polygons =
             scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
-        SceneFacts {
+        Ok(SceneFacts {
             bounds: scene.reach(),
             triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
             longest_edge: scene
@@ -122,7 +127,7 @@ impl SceneFacts {
                 .filter(|instance| instance.moving)
                 .map(|instance| scene.meshes[instance.mesh].triangles.len() as u32)
                 .sum(),
-        }
+        })
     }
 
     /// How many of these triangles, all or all that never move or all that may, have an alpha mask.

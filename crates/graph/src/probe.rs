@@ -57,7 +57,7 @@ pub fn probe(
     size: ProbeSize,
 ) -> Result<Plan, Faults> {
     let pipeline = Pipeline::parse(&Source::new("probe", PIPELINE))?;
-    let facts = SceneFacts::of(&Scene::default());
+    let facts = SceneFacts::of(&Scene::default())?;
     let grid = Grid { size: [size.side; 3], centre: DVec3::ZERO, voxel_size: 1.0 };
     let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));

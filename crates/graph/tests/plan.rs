@@ -210,7 +210,7 @@ fn voxel_rays_need_no_shadow_maps() {
 fn the_cornell_box_explained() {
     let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
     let request = Request { resolution: Some(128), ..Request::image(512, 512) };
-    let plan = gi_for(&SceneFacts::of(&scene), &request);
+    let plan = gi_for(&SceneFacts::of(&scene).unwrap(), &request);
     assert_snapshot!(explain(&plan), @r#"
     isotropic rgba16float · grid 128 × 128 × 128, voxels of 0.0447 · 512 × 512 pixels · 46 triangles
 

@@ -5,7 +5,7 @@ use glam::{DAffine3, DVec3, Vec2, Vec3, Vec4};
 use crate::Animation;
 
 /// A scene: what is lit, what lights it, and where it is seen from. Every index in it is in range
-/// and every number finite; the loaders refuse anything else.
+/// and every number finite; the loaders refuse anything else, and [`Scene::check`] does of scenes made in memory.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// The file's stem, for titles and reports.

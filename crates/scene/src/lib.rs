@@ -7,6 +7,7 @@
 
 mod animation;
 mod camera;
+mod check;
 mod data;
 mod emissive;
 mod geometry;
@@ -19,6 +20,6 @@ mod shape;
 mod vertex;
 
 pub use animation::{Animation, Key, Moved, Path};
+pub use check::WORLD_LIMIT;
 pub use data::*;
 pub use limit::MEMORY_LIMIT;
-pub use load::WORLD_LIMIT;

@@ -6,11 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 use voxlume_fault::{Fault, Faults, Source, one_of};
 
-use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
 use crate::{Camera, Scene, gltf, ron};
-
-/// How far from the world's origin anything may reach: beyond it, squares of lengths leave `f32`.
-pub const WORLD_LIMIT: f64 = 1e15;
 
 impl Scene {
     /// Reads a scene from a `.ron`, `.gltf` or `.glb` file.
@@ -18,7 +14,7 @@ impl Scene {
     /// # Errors
     /// Every fault of the file: it is missing, truncated or of another kind; it names a file that is; a
     /// number is not finite or out of its range; an index is out of range; it would take more than
-    /// [`MEMORY_LIMIT`](crate::MEMORY_LIMIT) or reach beyond [`WORLD_LIMIT`]. [`crate::ron`] and
+    /// [`MEMORY_LIMIT`](crate::MEMORY_LIMIT) or reach beyond [`WORLD_LIMIT`](crate::WORLD_LIMIT). [`crate::ron`] and
     /// [`crate::gltf`] say what is read.
     pub fn load(path: &Path) -> Result<Scene, Faults> {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
@@ -55,39 +51,12 @@ pub(crate) fn stem(path: &Path) -> String {
 }
 
 fn finish(scene: &mut Scene) -> Result<(), Fault> {
-    let mut budget = Budget::new();
-    for texture in &scene.textures {
-        budget.take(texture.rgba.len() as u64, 1)?;
-    }
-    for instance in &scene.instances {
-        let mesh = &scene.meshes[instance.mesh];
-        budget.take(mesh.positions.len() as u64, VERTEX_BYTES)?;
-        budget.take(mesh.triangles.len() as u64, TRIANGLE_BYTES)?;
-        // Entries that large could cancel each other's overflow into a NaN.
-        let wild = instance.transform.to_cols_array().iter().any(|entry| entry.abs() > 1e100);
-        if wild || instance.bounds(mesh).is_some_and(beyond) {
-            return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", instance.name)));
-        }
-    }
-    for moved in &scene.animation.instances {
-        let instance = &scene.instances[moved.index];
-        let wild =
-            moved.path.keys.iter().any(|key| key.scale.max(key.translation).abs().max_element() > 1e100);
-        if wild || moved.reach(instance, &scene.meshes[instance.mesh]).is_some_and(beyond) {
-            let name = &instance.name;
-            return Err(Fault::new(format!("the path of `{name}` reaches beyond {WORLD_LIMIT:e} units")));
-        }
-    }
+    scene.within_limits()?;
     if scene.cameras.is_empty() {
         scene.cameras.push(framing_camera(scene.reach()));
     }
     scene.set_time(0.0);
     Ok(())
-}
-
-fn beyond((low, high): (DVec3, DVec3)) -> bool {
-    let inside = |corner: DVec3| corner.abs().max_element() <= WORLD_LIMIT;
-    !(inside(low) && inside(high))
 }
 
 /// A three-quarter view of the whole scene from the front, right and above, 45° high.

@@ -6,7 +6,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/cornell.ron".as_ref())?;
 //! let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
-//! let facts = SceneFacts::of(&scene);
+//! let facts = SceneFacts::of(&scene)?;
 //! let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(512, 512))?;
 //! let gpu = Gpu::open(None)?;
 //! let mut renderer = Renderer::new(&gpu, plan, &scene)?;

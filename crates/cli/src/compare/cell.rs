@@ -134,7 +134,8 @@ fn subjects(args: &Args, faults: &mut Faults) -> Vec<Subject> {
         }
         let Some(scene) = faults.gather(Scene::load(path)) else { continue };
         let Some(camera) = faults.gather(camera(&scene, args.camera.as_deref()).cloned()) else { continue };
-        let (digest, facts) = (SceneDigest::of(&scene), SceneFacts::of(&scene));
+        let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
+        let digest = SceneDigest::of(&scene);
         subjects.push(Subject { label, scene, digest, facts, camera });
     }
     subjects

@@ -51,7 +51,7 @@ impl Bench<'_> {
             ..Request::image(size[0], size[1])
         };
         let Registry { formats, library } = self.registry;
-        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene), formats, library, &request)?;
+        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, formats, library, &request)?;
         let mut renderer = Renderer::new(self.gpu, plan, scene)?;
         renderer.render(scene, &scene.cameras[0], Passes::All)?;
         Ok(renderer)

@@ -63,7 +63,7 @@ const fn refuse(name: &'static str, scene: (&'static str, &'static str)) -> Case
 const FINITE: &str = "finite images and volumes";
 
 /// All of them.
-pub static CASES: [Case; 38] = [
+pub static CASES: [Case; 39] = [
     case("leak", "a sealed box is dark under a sky", hard!("sealed_box"), leak::from_sky, BOTH),
     case(
         "leak_black",
@@ -117,6 +117,13 @@ pub static CASES: [Case; 38] = [
     case("runs", "the same bits in every run", hard!("room"), bits::runs, BOTH),
     case("shuffled", "the same bits in any order of triangles", hard!("room"), bits::shuffled, BOTH),
     case("aperture", "cones from 0° to 180° are finite", hard!("wide_lights"), aperture::aperture, &[32]),
+    case(
+        "roughness",
+        "so are mirrored ones of every roughness",
+        hard!("wide_lights"),
+        aperture::roughness,
+        &[32],
+    ),
     case("odd_sizes", "so are images and grids of odd sizes", hard!("room"), finite::odd_sizes, &[32, 45]),
     case("slivers", FINITE, hard!("slivers"), finite::finite, BOTH),
     case("across", FINITE, hard!("across"), finite::finite, BOTH),

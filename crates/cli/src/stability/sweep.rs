@@ -61,7 +61,13 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
         } else {
             progress.repeated(place);
         }
-        stability.rows.extend(rows(cell, measure(cell, registry, &gpu, &pipeline, args.size)));
+        let figures = measure(cell, registry, &gpu, &pipeline, args.size);
+        // What is wrong with the shaders mostly shows at once; no need to tell it of every cell.
+        let figures = match figures {
+            Err(failure @ Failure::Input(_)) if done == 0 => return Err(failure),
+            figures => figures,
+        };
+        stability.rows.extend(rows(cell, figures));
         done += 1;
         // Later cells get a device that works.
         if gpu.check().is_err() {
@@ -166,7 +172,11 @@ fn rows(cell: &Cell, figures: Figures) -> Vec<StabilityRow> {
             })
             .collect(),
         // It counts as a miss that nobody knows of.
-        Err(failure) => vec![row(format!("failed: {failure}"), f64::NAN, None, false, None)],
+        Err(failure) => {
+            let message = failure.to_string();
+            let line = message.lines().next().unwrap_or_default();
+            vec![row(format!("failed: {line}"), f64::NAN, None, false, None)]
+        }
     }
 }
 

@@ -1,0 +1,201 @@
+//! Whether a scene is what [`Scene`] promises, wherever it comes from.
+
+use std::f32::consts::{FRAC_PI_2, PI};
+
+use glam::{DVec3, Vec3, Vec4Swizzles};
+use voxlume_fault::{Fault, Faults};
+
+use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
+use crate::{Animation, Camera, Key, Light, LightKind, Material, Mesh, Scene};
+
+/// How far from the world's origin anything may reach: beyond it, squares of lengths leave `f32`.
+pub const WORLD_LIMIT: f64 = 1e15;
+
+/// How far from 1 the squared length of a unit vector may be: `f32`'s rounding of a few operations, with room.
+const UNIT: f32 = 1e-3;
+
+impl Scene {
+    /// Checks a scene that was made or changed in memory; loaded ones are checked already. Of each part it tells the first
+    /// fault.
+    ///
+    /// # Errors
+    /// A number is not finite or out of its range; an index is out of range; lists differ in length; the scene would take
+    /// more than [`MEMORY_LIMIT`](crate::MEMORY_LIMIT) or reach beyond [`WORLD_LIMIT`].
+    pub fn check(&self) -> Result<(), Faults> {
+        let mut faults = Faults::default();
+        let mut part = |kind: &str, index: usize, name: &str, checked: Result<(), String>| {
+            if let Err(message) = checked {
+                faults.push(Fault::new(format!("{kind} {index}, `{name}`: {message}")));
+            }
+        };
+        for (index, material) in self.materials.iter().enumerate() {
+            part("material", index, &material.name, material.check(self.textures.len()));
+        }
+        for (index, texture) in self.textures.iter().enumerate() {
+            let texels = u64::from(texture.width) * u64::from(texture.height);
+            let is_whole =
+                texels > 0 && texture.rgba.len() as u64 / 4 == texels && texture.rgba.len() % 4 == 0;
+            part("texture", index, &texture.name, holds(is_whole, "it has other than width × height texels"));
+        }
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            part("mesh", index, &mesh.name, mesh.check(self.materials.len()));
+        }
+        for (index, instance) in self.instances.iter().enumerate() {
+            let checked = below(instance.mesh, self.meshes.len(), "mesh")
+                .and_then(|()| holds(instance.transform.is_finite(), "its transform is not finite"));
+            part("instance", index, &instance.name, checked);
+        }
+        for (index, light) in self.lights.iter().enumerate() {
+            part("light", index, &light.name, light.check());
+        }
+        for (index, camera) in self.cameras.iter().enumerate() {
+            part("camera", index, &camera.name, camera.check());
+        }
+        if !is_amount(self.sky) {
+            faults.push(Fault::new("the sky must be finite and at least 0"));
+        }
+        let Animation { instances, lights, cameras } = &self.animation;
+        let paths = (instances.iter().map(|m| ("instance", m.index, self.instances.len(), &m.path)))
+            .chain(lights.iter().map(|m| ("light", m.index, self.lights.len(), &m.path)))
+            .chain(cameras.iter().map(|m| ("camera", m.index, self.cameras.len(), &m.path)));
+        for (kind, index, count, path) in paths {
+            if index >= count {
+                faults.push(Fault::new(format!("a path moves {kind} {index}, of which there are {count}")));
+            } else if !path.keys.iter().all(Key::is_finite) {
+                faults.push(Fault::new(format!("the path of {kind} {index} is not finite")));
+            }
+        }
+        faults.into_result(())?;
+        Ok(self.within_limits()?)
+    }
+
+    /// Memory and reach.
+    pub(crate) fn within_limits(&self) -> Result<(), Fault> {
+        let mut budget = Budget::new();
+        for texture in &self.textures {
+            budget.take(texture.rgba.len() as u64, 1)?;
+        }
+        for instance in &self.instances {
+            let mesh = &self.meshes[instance.mesh];
+            budget.take(mesh.positions.len() as u64, VERTEX_BYTES)?;
+            budget.take(mesh.triangles.len() as u64, TRIANGLE_BYTES)?;
+            // Entries that large could cancel each other's overflow into a NaN.
+            let wild = instance.transform.to_cols_array().iter().any(|entry| entry.abs() > 1e100);
+            if wild || instance.bounds(mesh).is_some_and(beyond) {
+                return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", instance.name)));
+            }
+        }
+        for moved in &self.animation.instances {
+            let instance = &self.instances[moved.index];
+            let wild =
+                moved.path.keys.iter().any(|key| key.scale.max(key.translation).abs().max_element() > 1e100);
+            if wild || moved.reach(instance, &self.meshes[instance.mesh]).is_some_and(beyond) {
+                let name = &instance.name;
+                return Err(Fault::new(format!("the path of `{name}` reaches beyond {WORLD_LIMIT:e} units")));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn beyond((low, high): (DVec3, DVec3)) -> bool {
+    let inside = |corner: DVec3| corner.abs().max_element() <= WORLD_LIMIT;
+    !(inside(low) && inside(high))
+}
+
+fn holds(is: bool, else_message: &str) -> Result<(), String> {
+    if is { Ok(()) } else { Err(else_message.into()) }
+}
+
+fn below(index: usize, count: usize, what: &str) -> Result<(), String> {
+    if index < count { Ok(()) } else { Err(format!("it names {what} {index} of {count}")) }
+}
+
+/// Of light: finite and not negative.
+fn is_amount(v: Vec3) -> bool {
+    v.is_finite() && v.min_element() >= 0.0
+}
+
+/// NaN is not.
+fn is_unit(v: Vec3) -> bool {
+    (v.length_squared() - 1.0).abs() < UNIT
+}
+
+impl Key {
+    fn is_finite(&self) -> bool {
+        let Key { time, scale, rotation, translation } = self;
+        time.is_finite() && scale.is_finite() && rotation.is_finite() && translation.is_finite()
+    }
+}
+
+impl Material {
+    fn check(&self, textures: usize) -> Result<(), String> {
+        let share = |number: f32| (0.0..=1.0).contains(&number);
+        holds(self.base_color.to_array().into_iter().all(share), "its base colour must be in [0, 1]")?;
+        holds(share(self.metallic) && share(self.roughness), "metallic and roughness must be in [0, 1]")?;
+        holds(self.normal_scale.is_finite(), "the scale of its normal map is not finite")?;
+        holds(is_amount(self.emission), "its emission must be finite and at least 0")?;
+        let cutoff = self.alpha_cutoff.unwrap_or_default();
+        holds(cutoff.is_finite() && cutoff >= 0.0, "its alpha cutoff must be finite and at least 0")?;
+        let used = [
+            self.base_color_texture,
+            self.metallic_roughness_texture,
+            self.normal_texture,
+            self.emission_texture,
+        ];
+        used.into_iter().flatten().try_for_each(|used| below(used.texture, textures, "texture"))
+    }
+}
+
+impl Mesh {
+    fn check(&self, materials: usize) -> Result<(), String> {
+        below(self.material, materials, "material")?;
+        let vertices = self.positions.len();
+        let lengths = [self.normals.len(), self.tangents.len(), self.uvs.len()];
+        holds(lengths == [vertices; 3], "its attributes differ in length")?;
+        let first = |attribute: &str, wrong: Option<usize>| match wrong {
+            Some(vertex) => Err(format!("the {attribute} of vertex {vertex} is not finite")),
+            None => Ok(()),
+        };
+        first("position", self.positions.iter().position(|v| !v.is_finite()))?;
+        first("normal", self.normals.iter().position(|v| !v.is_finite()))?;
+        first("tangent", self.tangents.iter().position(|v| !v.xyz().is_finite() || !v.w.is_finite()))?;
+        first("texture coordinate", self.uvs.iter().position(|v| !v.is_finite()))?;
+        let outside = self.triangles.iter().position(|t| t.iter().any(|vertex| *vertex as usize >= vertices));
+        match outside {
+            Some(triangle) => Err(format!("triangle {triangle} names a vertex beyond the {vertices}")),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Light {
+    fn check(&self) -> Result<(), String> {
+        holds(is_amount(self.intensity), "its intensity must be finite and at least 0")?;
+        let size = match &self.kind {
+            LightKind::Directional { angular_diameter, .. } => *angular_diameter,
+            LightKind::Point { radius, .. } | LightKind::Spot { radius, .. } => *radius,
+        };
+        holds(size.is_finite() && size >= 0.0, "its size must be finite and at least 0")?;
+        if let LightKind::Point { position, .. } | LightKind::Spot { position, .. } = &self.kind {
+            holds(position.is_finite() && !beyond((*position, *position)), "it lies beyond the world")?;
+        }
+        if let LightKind::Directional { direction, .. } | LightKind::Spot { direction, .. } = &self.kind {
+            holds(is_unit(*direction), "its direction is not of length 1")?;
+        }
+        if let LightKind::Spot { inner, outer, .. } = self.kind {
+            let rises = 0.0 <= inner && inner < outer && outer <= FRAC_PI_2;
+            holds(rises, "its angles must be 0 ≤ inner < outer ≤ π/2")?;
+        }
+        Ok(())
+    }
+}
+
+impl Camera {
+    fn check(&self) -> Result<(), String> {
+        holds(self.eye.is_finite() && !beyond((self.eye, self.eye)), "it stands beyond the world")?;
+        let upright = is_unit(self.forward) && is_unit(self.up) && self.forward.dot(self.up).abs() < UNIT;
+        holds(upright, "forward and up must be of length 1 and at right angles")?;
+        holds(0.0 < self.vertical_fov && self.vertical_fov < PI, "its angle of view must be between 0 and π")
+    }
+}
