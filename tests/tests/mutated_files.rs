@@ -109,7 +109,7 @@ fn shaders() {
     let faults = check_all(&builtin, &ALTERNATIVES);
     assert!(faults.is_empty(), "{faults}");
     let paths: Vec<&str> = builtin.paths().collect();
-    survive("shaders", 60, |random| {
+    survive("shaders", 90, |random| {
         let path = paths[random.below(paths.len())];
         let text = std::fs::read_to_string(root().join(format!("wgsl/{path}.wgsl"))).unwrap();
         let mut library = builtin.clone();
