@@ -135,12 +135,11 @@ impl SixFaceTwin {
         apex: DVec3,
         before: DVec3,
     ) -> SeenAhead {
-        let side = ahead_along(direction);
         let face = |axis, place| self.face(volumes, axis, place, level, direction);
-        let beside = Beside::new(uvw, apex, side, volumes.cells(self.faces(), level), face);
-        let (behind, hidden) = beside.hidden(before);
-        let found = std::array::from_fn(|axis| face(axis, uvw));
-        beside.see(&found, hidden, behind, direction)
+        let size = volumes.cells(self.faces(), level);
+        let beside = Beside { uvw, apex, side: ahead_along(direction), size };
+        let (behind, hidden) = beside.hidden(before, |axis, place| face(axis, place).w);
+        beside.see(hidden, behind, direction, face)
     }
 }
 

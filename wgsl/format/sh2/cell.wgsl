@@ -35,14 +35,22 @@ fn encode_cell(positive: mat3x4f, negative: mat3x4f) -> Cell {
     );
 }
 
-// What both sides of the axes show in all, which two bands don't tell apart: each axis is taken to have the share
-// that it has of what is opaque from both sides.
-fn shared_by_axes(cell: Cell) -> mat3x3f {
-    let both = min(cell.positive, cell.negative);
-    let share = both / max(both.x + both.y + both.z, 1e-6);
+// What both sides of the axes show in all, which two bands don't tell apart.
+fn shared_in_all(cell: Cell) -> vec3f {
     let more = abs(cell.band1[0]) + abs(cell.band1[1]) + abs(cell.band1[2]);
-    let rest = max(cell.band0 - 0.5 * more, vec3f(0.0));
-    return mat3x3f(rest * share.x, rest * share.y, rest * share.z);
+    return max(cell.band0 - 0.5 * more, vec3f(0.0));
+}
+
+// The share of it that each axis is taken to have: that which it has of what is opaque from both sides.
+fn share_of_axes(cell: Cell) -> vec3f {
+    let both = min(cell.positive, cell.negative);
+    return both / max(both.x + both.y + both.z, 1e-6);
+}
+
+fn shared_by_axes(cell: Cell) -> mat3x3f {
+    let all = shared_in_all(cell);
+    let share = share_of_axes(cell);
+    return mat3x3f(all * share.x, all * share.y, all * share.z);
 }
 
 // What an observer sees who looks along x, y and z in these directions, 1 or −1: of both sides `of_both`, and what this one has more.

@@ -8,6 +8,7 @@ import package::common::seen_ahead::{SeenAhead, ahead_along, all_ahead, behind_a
 import package::common::volume::block_uvw;
 import package::common::volume_sampler::volume_sampler;
 import package::encoding::{decode_radiances, filter_volume};
+import package::format::ahead::side_ahead;
 import package::format::bands::radiance_by_bands;
 import package::format::cell::{COVERAGE, Cell, HARMONICS, seen_along, shared_by_axes};
 import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_SIDES};
@@ -69,32 +70,23 @@ fn opacity_beside(uvw: vec3f, beside: vec3f, size: vec3f, level: f32, side: vec3
     );
 }
 
-// Of the same sides what they show more than the opposite ones, and their opacities.
-fn sides_beside(uvw: vec3f, beside: vec3f, size: vec3f, level: f32, side: vec3f) -> mat3x4f {
-    let opacity = opacity_beside(uvw, beside, size, level, side);
-    let shown = -side * inside_grid(beside, size);
-    return mat3x4f(
-        vec4f(max(shown.x * harmonics_at(0, vec3f(beside.x, uvw.yz), level).rgb, vec3f(0.0)), opacity.x),
-        vec4f(max(shown.y * harmonics_at(1, vec3f(uvw.x, beside.y, uvw.z), level).rgb, vec3f(0.0)), opacity.y),
-        vec4f(max(shown.z * harmonics_at(2, vec3f(uvw.xy, beside.z), level).rgb, vec3f(0.0)), opacity.z),
-    );
-}
-
-// What both sides share may be of what lies behind, so it counts only where nothing does along the other axes, and of cells
-// ahead not at all.
 fn see_sides_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, before: vec3f) -> SeenAhead {
     let side = ahead_along(direction);
     // Cells along each side.
     let size = vec3f(textureDimensions(coverage)) / (vec3f(1.0, 1.0, f32(COVERAGE)) * exp2(ceil(level)));
     let behind = behind_apex(before, opacity_beside(uvw, beside_apex(apex, -side, size), size, level, side));
     let hidden = hidden_axes(behind, uvw, apex, side, size);
-    let clear = 1.0 - max(hidden.yzx, hidden.zxy);
     let c = cell_at(uvw, level);
-    let of_both = shared_by_axes(c);
-    let found = seen_along(c, side, mat3x3f(of_both[0] * clear.x, of_both[1] * clear.y, of_both[2] * clear.z));
+    let found = mat3x4f(side_ahead(c, 0, side, hidden), side_ahead(c, 1, side, hidden), side_ahead(c, 2, side, hidden));
     var ahead = found;
     if (any(hidden > vec3f(0.0))) {
-        ahead = sides_beside(uvw, beside_apex(apex, side, size), size, level, side);
+        let beside = beside_apex(apex, side, size);
+        let inside = inside_grid(beside, size);
+        ahead = mat3x4f(
+            inside.x * side_ahead(cell_at(vec3f(beside.x, uvw.yz), level), 0, side, hidden),
+            inside.y * side_ahead(cell_at(vec3f(uvw.x, beside.y, uvw.z), level), 1, side, hidden),
+            inside.z * side_ahead(cell_at(vec3f(uvw.xy, beside.z), level), 2, side, hidden),
+        );
     }
     return see_ahead(found, ahead, hidden, behind, direction);
 }

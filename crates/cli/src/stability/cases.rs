@@ -63,7 +63,7 @@ const fn refuse(name: &'static str, scene: (&'static str, &'static str)) -> Case
 const FINITE: &str = "finite images and volumes";
 
 /// All of them.
-pub static CASES: [Case; 39] = [
+pub static CASES: [Case; 40] = [
     case("leak", "a sealed box is dark under a sky", hard!("sealed_box"), leak::from_sky, BOTH),
     case(
         "leak_black",
@@ -74,6 +74,13 @@ pub static CASES: [Case; 39] = [
     ),
     case("leak_askew", "so it is askew to the grid", hard!("sealed_box_turned"), leak::from_sky, BOTH),
     case("leak_sun", "so it is in the sun", hard!("sealed_box_sun"), leak::from_sun, BOTH),
+    case(
+        "leak_lit",
+        "the light outside changes nothing in a lit room",
+        hard!("sealed_box_lit"),
+        leak::beside_lamp,
+        BOTH,
+    ),
     case(
         "leak_level_0",
         "so it is for rays, which keep to level 0",

@@ -50,12 +50,40 @@ impl Cell {
         }
     }
 
-    /// What both sides of each axis show.
-    fn shared_by_axes(&self) -> [DVec3; 3] {
-        let both = self.positive.min(self.negative);
+    /// What both sides of the axes show in all.
+    fn shared_in_all(&self) -> DVec3 {
         let more: DVec3 = self.band1.iter().map(|more| more.abs()).sum();
-        let rest = (self.band0 - 0.5 * more).max(DVec3::ZERO);
-        std::array::from_fn(|axis| rest * (both[axis] / both.element_sum().max(1e-6)))
+        (self.band0 - 0.5 * more).max(DVec3::ZERO)
+    }
+
+    /// The share of it that each axis is taken to have.
+    fn share_of_axes(&self) -> DVec3 {
+        let both = self.positive.min(self.negative);
+        both / both.element_sum().max(1e-6)
+    }
+
+    fn shared_by_axes(&self) -> [DVec3; 3] {
+        let (all, share) = (self.shared_in_all(), self.share_of_axes());
+        std::array::from_fn(|axis| all * share[axis])
+    }
+
+    /// Along one axis, to a cone that something lies behind.
+    fn side_ahead(&self, axis: usize, side: DVec3, hidden: DVec3) -> DVec4 {
+        const WITHIN: f64 = 0.7;
+        let both = self.positive.min(self.negative);
+        let (far, near) = if side[axis] > 0.0 {
+            (self.positive[axis], self.negative[axis])
+        } else {
+            (self.negative[axis], self.positive[axis])
+        };
+        let outside = (side[axis] * self.band1[axis]).max(DVec3::ZERO) / far.max(1e-3);
+        let mut all = self.shared_in_all();
+        for other in [(axis + 1) % 3, (axis + 2) % 3] {
+            let within = WITHIN * (-side[other] * self.band1[other]).max(DVec3::ZERO);
+            all -= hidden[other] * (outside * both[other] - within).max(DVec3::ZERO);
+        }
+        let shared = all.max(DVec3::ZERO) * self.share_of_axes()[axis];
+        (shared + (-side[axis] * self.band1[axis]).max(DVec3::ZERO)).extend(near)
     }
 
     /// Of an observer who looks along the axes in these directions, 1 or −1.
@@ -203,21 +231,13 @@ impl Sh2Twin {
         before: DVec3,
     ) -> SeenAhead {
         let side = ahead_along(direction);
-        let size = volumes.cells(self.coverage(), level);
-        // What a side shows more than the opposite one, and its opacity.
-        let beside = Beside::new(uvw, apex, side, size, |axis, place| {
+        let beside = Beside { uvw, apex, side, size: volumes.cells(self.coverage(), level) };
+        let (behind, hidden) = beside.hidden(before, |axis, place| {
             let block = u32::from(side[axis] > 0.0);
-            let opacity = volumes.sample_block(self.coverage(), block, place, level)[axis];
-            let more = volumes.sample_block(self.harmonics(), axis as u32, place, level).truncate();
-            (-side[axis] * more).max(DVec3::ZERO).extend(opacity)
+            volumes.sample_block(self.coverage(), block, place, level)[axis]
         });
-        let (behind, hidden) = beside.hidden(before);
-        let cell = self.cell_at(volumes, uvw, level);
-        let mut shared = cell.shared_by_axes();
-        for axis in 0..3 {
-            shared[axis] *= 1.0 - hidden[(axis + 1) % 3].max(hidden[(axis + 2) % 3]);
-        }
-        beside.see(&cell.seen_along(side, &shared), hidden, behind, direction)
+        let seen = |axis, place| self.cell_at(volumes, place, level).side_ahead(axis, side, hidden);
+        beside.see(hidden, behind, direction, seen)
     }
 }
 

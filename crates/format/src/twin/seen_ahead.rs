@@ -34,58 +34,52 @@ pub fn ahead_along(direction: DVec3) -> DVec3 {
     direction.map(|d| if d > 0.0 { 1.0 } else { -1.0 })
 }
 
-/// What is seen along each axis 1.5 cells ahead of a cone's apex and 1.5 behind it.
+/// A sample of a cone, and places 1.5 cells ahead of the cone's apex and behind it.
 pub(crate) struct Beside {
-    ahead: [DVec4; 3],
-    back: [DVec4; 3],
-    /// Whether a sample's cells may reach behind the apex.
-    near: [bool; 3],
+    pub(crate) uvw: DVec3,
+    pub(crate) apex: DVec3,
+    /// Of [`ahead_along`].
+    pub(crate) side: DVec3,
+    /// Of the grid, in cells.
+    pub(crate) size: DVec3,
 }
 
 impl Beside {
-    /// `seen` gives what an axis shows at a place; `side` is of [`ahead_along`], `size` in cells.
-    pub(crate) fn new(
-        uvw: DVec3,
-        apex: DVec3,
-        side: DVec3,
-        size: DVec3,
-        seen: impl Fn(usize, DVec3) -> DVec4,
-    ) -> Beside {
-        let at = |axis: usize, cells: f64| {
-            let mut place = uvw;
-            place[axis] = apex[axis] + cells * side[axis] / size[axis];
-            // Beyond the grid is nothing.
-            let inside = (0.5 + size[axis] * (0.5 - (place[axis] - 0.5).abs())).clamp(0.0, 1.0);
-            inside * seen(axis, place)
-        };
-        Beside {
-            ahead: std::array::from_fn(|axis| at(axis, 1.5)),
-            back: std::array::from_fn(|axis| at(axis, -1.5)),
-            near: std::array::from_fn(|axis| (uvw[axis] - apex[axis]) * side[axis] * size[axis] < 1.5),
+    /// The sample's place with one axis' coordinate moved so many cells ahead of the apex, and how far that is inside the grid, beyond
+    /// which nothing is.
+    fn place(&self, axis: usize, cells: f64) -> (DVec3, f64) {
+        let mut place = self.uvw;
+        place[axis] = self.apex[axis] + cells * self.side[axis] / self.size[axis];
+        (place, (0.5 + self.size[axis] * (0.5 - (place[axis] - 0.5).abs())).clamp(0.0, 1.0))
+    }
+
+    /// What lies behind the apex, of which earlier samples found so much `before`, and how far it hides each axis. `opacity` is what an
+    /// axis has at a place.
+    pub(crate) fn hidden(&self, before: DVec3, opacity: impl Fn(usize, DVec3) -> f64) -> (DVec3, DVec3) {
+        let (mut behind, mut hidden) = (before, DVec3::ZERO);
+        for axis in 0..3 {
+            let (place, inside) = self.place(axis, -1.5);
+            behind[axis] = before[axis].max((inside * opacity(axis, place) / 0.25).clamp(0.0, 1.0));
+            // The sample's cells may reach there.
+            if (self.uvw[axis] - self.apex[axis]) * self.side[axis] * self.size[axis] < 1.5 {
+                hidden[axis] = behind[axis];
+            }
         }
+        (behind, hidden)
     }
 
-    /// What lies behind the apex, of which earlier samples found so much `before`, and how far it hides each axis.
-    pub(crate) fn hidden(&self, before: DVec3) -> (DVec3, DVec3) {
-        let opacity = DVec3::from_array(self.back.map(|back| back.w));
-        let behind = before.max((opacity / 0.25).clamp(DVec3::ZERO, DVec3::ONE));
-        (
-            behind,
-            DVec3::from_array(std::array::from_fn(|axis| if self.near[axis] { behind[axis] } else { 0.0 })),
-        )
-    }
-
-    /// `found` along each axis, of which known is all, or where it is hidden what cells ahead have of the same.
+    /// Of what is `seen` along each axis known is all, or where it is hidden what cells ahead have of the same.
     pub(crate) fn see(
         &self,
-        found: &[DVec4; 3],
         hidden: DVec3,
         behind: DVec3,
         direction: DVec3,
+        seen: impl Fn(usize, DVec3) -> DVec4,
     ) -> SeenAhead {
         let (mut known, mut opacity) = (DVec4::ZERO, 0.0);
         for axis in 0..3 {
-            let (found, ahead) = (found[axis], self.ahead[axis]);
+            let (place, inside) = self.place(axis, 1.5);
+            let (found, ahead) = (seen(axis, self.uvw), inside * seen(axis, place));
             let same = ahead * (found.w / ahead.w.max(1e-6)).min(1.0);
             known += direction[axis].abs() * found.lerp(same, hidden[axis]);
             opacity += direction[axis].abs() * found.w;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use glam::{DAffine3, DVec3, Vec4};
+use glam::{DAffine3, DVec3, Vec3, Vec4};
 use voxlume::Scene;
 
 use super::{Figure, Figures};
@@ -38,6 +38,22 @@ pub fn through_black(bench: &Bench<'_>, scene: &Scene) -> Figures {
 /// Share of the light of a sun without size that gets in: rays of aperture 0, which keep to level 0.
 pub fn at_level_0(bench: &Bench<'_>, scene: &Scene) -> Figures {
     sweep(bench, scene, "shadow", 1.0)
+}
+
+/// By how much the sky changes the light of a lamp inside walls of two voxels, over the lamp's intensity.
+pub fn beside_lamp(bench: &Bench<'_>, scene: &Scene) -> Figures {
+    let figure = |intensity: f64| {
+        let mut scene = with_wall(bench, scene, 2.0);
+        for light in &mut scene.lights {
+            light.intensity = Vec3::splat(intensity as f32);
+        }
+        let lit = grey(&bench.image(&scene, "diffuse", &[])?);
+        scene.sky = Vec3::ZERO;
+        let value = lit / grey(&bench.image(&scene, "diffuse", &[])?) - 1.0;
+        let bound = bench.is_directional().then_some(0.05);
+        Ok(Figure::swept("change by the sky", "W/sr", intensity, value, bound))
+    };
+    [6.4, 1.6, 0.4, 0.1].into_iter().map(figure).collect()
 }
 
 fn sweep(bench: &Bench<'_>, scene: &Scene, output: &str, behind: f64) -> Figures {
