@@ -64,7 +64,9 @@ fn surface_cone(p_voxel: vec3f, normal: vec3f, direction: vec3f, sine: f32, reac
 // As `cone_trace`; without `lit` only the opacity counts.
 fn trace(cone: Cone, settings: ConeSettings, falloff: f32, lit: bool) -> vec4f {
     let grid = vec3f(frame.grid_size);
-    var gathered = vec4f(0.0);
+    // Apart, so that what needs opacity alone fetches nothing else.
+    var radiance = vec3f(0.0);
+    var opacity = 0.0;
     // Through all that is met, and through what is known to lie ahead, which alone is seen.
     var transmittance = vec2f(1.0);
     var before = vec2f(1.0);
@@ -96,7 +98,8 @@ fn trace(cone: Cone, settings: ConeSettings, falloff: f32, lit: bool) -> vec4f {
         let alpha = vec2f(found.value.a, found.known) * inside_grid;
         let layer = before * vec2f(opacity_over(alpha.x, ratio), opacity_over(alpha.y, ratio));
         let weight = min(transmittance, select(layer, alpha * ratio, s.adds));
-        gathered += vec4f(found.value.rgb * (weight.y / max(found.known, 1e-6)), weight.x / (1.0 + falloff * s.at));
+        radiance += found.value.rgb * (weight.y / max(found.known, 1e-6));
+        opacity += weight.x / (1.0 + falloff * s.at);
         before = transmittance;
         transmittance -= weight;
         t = s.next;
@@ -105,7 +108,7 @@ fn trace(cone: Cone, settings: ConeSettings, falloff: f32, lit: bool) -> vec4f {
     // What is met and unknown is taken to be as bright as what is known; where hardly anything is known all lies behind.
     let told = min(met.y / max(KNOWN * met.x, 1e-6), 1.0);
     let whole = select(1.0, 1.0 / met.x, transmittance.x <= CLOSED);
-    return vec4f(gathered.rgb * (met.x / max(met.y, 1e-6)), gathered.a) * (told * whole);
+    return vec4f(radiance * (met.x / max(met.y, 1e-6)), opacity) * (told * whole);
 }
 
 // Premultiplied radiance, and Σ T·α·f with f = 1/(1 + falloff·t): the opacity where falloff is 0.

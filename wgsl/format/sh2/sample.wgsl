@@ -40,25 +40,32 @@ fn cell_at(uvw: vec3f, level: f32) -> Cell {
     return Cell(vec3f(x.a, y.a, z.a), band1, coverage_at(false, uvw, level), coverage_at(true, uvw, level));
 }
 
-fn sample_sides(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
+fn opacity_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> f32 {
+    let facing = select(coverage_at(false, uvw, level), coverage_at(true, uvw, level), direction > vec3f(0.0));
+    return dot(facing, abs(direction));
+}
+
+// As far as they are opaque.
+fn radiance_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> vec3f {
     let c = cell_at(uvw, level);
     let value = seen_along(c, ahead_along(direction), shared_by_axes(c)) * abs(direction);
     if (NEGATIVES == NEGATIVES_SIDES) {
-        return value / max(value.a, 1.0);
+        return value.rgb / max(value.a, 1.0);
     }
-    let opacity = min(value.a, 1.0);
-    return vec4f(radiance_by_bands(c, direction) * opacity, opacity);
+    return radiance_by_bands(c, direction) * min(value.a, 1.0);
 }
 
+// Radiance and opacity are kept apart, so that what needs opacity alone fetches nothing else.
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
-    if (BASE != BASE_ISOTROPIC) {
-        return sample_sides(uvw, level, direction);
+    let coarse_level = select(level, max(level - 1.0, 0.0), BASE == BASE_ISOTROPIC);
+    var radiance = radiance_of_sides(uvw, coarse_level, direction);
+    var opacity = min(opacity_of_sides(uvw, coarse_level, direction), 1.0);
+    if (BASE == BASE_ISOTROPIC && level < 1.0) {
+        let fine = sample_over_base(base, uvw, level, vec4f(radiance, opacity));
+        radiance = fine.rgb;
+        opacity = fine.a;
     }
-    let coarse = sample_sides(uvw, max(level - 1.0, 0.0), direction);
-    if (level >= 1.0) {
-        return coarse;
-    }
-    return sample_over_base(base, uvw, level, coarse);
+    return vec4f(radiance, opacity);
 }
 
 // The opacities of the sides towards the observer, of cells beside: each axis' coordinate is moved to `beside`.
