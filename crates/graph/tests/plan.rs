@@ -206,6 +206,26 @@ fn voxel_rays_need_no_shadow_maps() {
     );
 }
 
+/// Opacities of `sh2` are bytes in every encoding, and said to be.
+#[test]
+fn bytes_are_called_bytes() {
+    let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
+    for encoding in ["rgba8", "rgba16float", "rgba32float"] {
+        let request = Request {
+            format: Some("sh2".into()),
+            encoding: Some(encoding.into()),
+            resolution: Some(64),
+            ..Request::image(64, 64)
+        };
+        let explained = explain(&gi_for(&SceneFacts::of(&scene).unwrap(), &request));
+        let texel = |volume: &str| {
+            let line = explained.lines().find(|line| line.trim_start().starts_with(volume)).unwrap();
+            line.split_once(',').unwrap().0.rsplit(' ').next().unwrap().to_owned()
+        };
+        assert_eq!([texel("harmonics"), texel("coverage")], [encoding, "rgba8"]);
+    }
+}
+
 #[test]
 fn the_cornell_box_explained() {
     let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
