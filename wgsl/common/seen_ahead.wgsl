@@ -57,8 +57,11 @@ fn see_ahead(found: mat3x4f, ahead: mat3x4f, hidden: vec3f, behind: vec3f, direc
     return SeenAhead(vec4f(known.rgb, opacity) * scale, known.a * scale, behind);
 }
 
-// `sample_over_base` of what a cone sees: level 0 is known.
+// What a cone sees of levels of which only level 0, `base`, is the same from all sides, and known; `coarse` is from level 1 up.
 fn see_over_base(base: texture_3d<f32>, uvw: vec3f, level: f32, coarse: SeenAhead) -> SeenAhead {
+    if (level >= 1.0) {
+        return coarse;
+    }
     let value = sample_over_base(base, uvw, level, coarse.value);
     return SeenAhead(value, value.a - max(level, 0.0) * (coarse.value.a - coarse.known), coarse.behind);
 }

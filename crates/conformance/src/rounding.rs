@@ -8,9 +8,9 @@ use voxlume::{Encoding, Numbers};
 pub fn relative_rounding(encoding: Encoding, numbers: Numbers) -> f64 {
     match encoding {
         _ if numbers.are_bytes(encoding) => 0.0,
-        // 11 and 24 bits of precision.
-        Encoding::Rgba16Float => (-10f64).exp2(),
-        Encoding::Rgba32Float | Encoding::Rgba8 { .. } => (-23f64).exp2(),
+        // 24 and 11 bits of precision.
+        Encoding::Rgba32Float => (-23f64).exp2(),
+        _ => (-10f64).exp2(),
     }
 }
 
@@ -21,8 +21,8 @@ pub fn absolute_rounding(encoding: Encoding, numbers: Numbers) -> DVec4 {
             ranges(encoding, numbers) / if numbers.are_signed() { 127.0 } else { 255.0 }
         }
         // Subnormals; of single precision they may be flushed.
-        Encoding::Rgba16Float => DVec4::splat((-24f64).exp2()),
-        Encoding::Rgba32Float | Encoding::Rgba8 { .. } => DVec4::splat((-126f64).exp2()),
+        Encoding::Rgba32Float => DVec4::splat((-126f64).exp2()),
+        _ => DVec4::splat((-24f64).exp2()),
     }
 }
 

@@ -49,7 +49,7 @@ impl<'g> Renderer<'g> {
     /// memory the occupied voxels need.
     ///
     /// # Errors
-    /// The device refuses something or is lost.
+    /// The scene isn't what it has to be ([`Scene::check`]), or the device refuses something or is lost.
     pub fn new(gpu: &'g Gpu, plan: Plan, scene: &Scene) -> Result<Renderer<'g>, Error> {
         let facts = SceneFacts::of(scene)?;
         let uploaded = SceneObjects::new(gpu, &plan, &facts, scene)?;

@@ -276,11 +276,10 @@ pub(crate) const RASTER_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Uno
 /// As the aliases in wgsl/encoding/ say.
 fn volume_format(encoding: Encoding, numbers: Numbers) -> wgpu::TextureFormat {
     match encoding {
-        _ if numbers == Numbers::Coverage => wgpu::TextureFormat::Rgba8Unorm,
-        Encoding::Rgba8 { .. } if numbers.are_signed() => wgpu::TextureFormat::Rgba8Snorm,
-        Encoding::Rgba8 { .. } => wgpu::TextureFormat::Rgba8Unorm,
-        Encoding::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        _ if numbers.are_bytes(encoding) && numbers.are_signed() => wgpu::TextureFormat::Rgba8Snorm,
+        _ if numbers.are_bytes(encoding) => wgpu::TextureFormat::Rgba8Unorm,
         Encoding::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
+        _ => wgpu::TextureFormat::Rgba16Float,
     }
 }
 

@@ -183,7 +183,7 @@ impl Twin for SixFaceTwin {
             return self.sample_faces(volumes, uvw, level, direction);
         }
         let coarse = self.sample_faces(volumes, uvw, (level - 1.0).max(0.0), direction);
-        if level >= 1.0 { coarse } else { volumes.sample_over_base(0, uvw, level, coarse) }
+        volumes.sample_over_base(0, uvw, level, coarse)
     }
 
     fn voxel_sample_ahead(
@@ -199,6 +199,6 @@ impl Twin for SixFaceTwin {
             return self.see_faces_ahead(volumes, uvw, level, direction, apex, behind);
         }
         let coarse = self.see_faces_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
-        if level >= 1.0 { coarse } else { coarse.over_base(volumes, uvw, level) }
+        coarse.over_base(volumes, uvw, level)
     }
 }

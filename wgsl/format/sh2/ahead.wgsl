@@ -1,7 +1,7 @@
 // What the sides of a cell show to a cone that something lies behind. Along each axis what the near side shows more is of what lies
 // ahead, but what both sides of the axes share may be of what lies behind.
 
-import package::format::cell::{Cell, share_of_axes, shared_in_all};
+import package::format::cell::{Cell, seen_along, share_of_axes, shared_in_all};
 
 // How much of what another axis' near side shows more than its far one speaks for a wall seen from within; a factor: the
 // most, in tenths, with which `stability`'s sealed boxes are dark. With 0.9 one lets in 0.0026 of what is outside.
@@ -25,6 +25,5 @@ fn shared_ahead(c: Cell, axis: u32, side: vec3f, hidden: vec3f) -> vec3f {
 
 // Along one axis: premultiplied radiance and opacity of the side towards the cone.
 fn side_ahead(c: Cell, axis: u32, side: vec3f, hidden: vec3f) -> vec4f {
-    let opacity = select(c.positive, c.negative, side > vec3f(0.0))[axis];
-    return vec4f(shared_ahead(c, axis, side, hidden) + max(-side[axis] * c.band1[axis], vec3f(0.0)), opacity);
+    return seen_along(c, axis, side, shared_ahead(c, axis, side, hidden));
 }

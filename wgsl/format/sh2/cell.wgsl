@@ -47,19 +47,20 @@ fn share_of_axes(cell: Cell) -> vec3f {
     return both / max(both.x + both.y + both.z, 1e-6);
 }
 
-fn shared_by_axes(cell: Cell) -> mat3x3f {
-    let all = shared_in_all(cell);
-    let share = share_of_axes(cell);
-    return mat3x3f(all * share.x, all * share.y, all * share.z);
+// What an observer sees along one axis who looks along the axes in these directions, 1 or −1: what both sides show, and what this one has more.
+fn seen_along(cell: Cell, axis: u32, ahead: vec3f, of_both: vec3f) -> vec4f {
+    let opacity = select(cell.positive, cell.negative, ahead > vec3f(0.0))[axis];
+    return vec4f(of_both + max(-ahead[axis] * cell.band1[axis], vec3f(0.0)), opacity);
 }
 
-// What an observer sees who looks along x, y and z in these directions, 1 or −1: of both sides `of_both`, and what this one has more.
-fn seen_along(cell: Cell, ahead: vec3f, of_both: mat3x3f) -> mat3x4f {
-    let opacity = select(cell.positive, cell.negative, ahead > vec3f(0.0));
+// Along all of them.
+fn seen_from(cell: Cell, ahead: vec3f) -> mat3x4f {
+    let all = shared_in_all(cell);
+    let share = share_of_axes(cell);
     return mat3x4f(
-        vec4f(of_both[0] + max(-ahead.x * cell.band1[0], vec3f(0.0)), opacity.x),
-        vec4f(of_both[1] + max(-ahead.y * cell.band1[1], vec3f(0.0)), opacity.y),
-        vec4f(of_both[2] + max(-ahead.z * cell.band1[2], vec3f(0.0)), opacity.z),
+        seen_along(cell, 0, ahead, all * share.x),
+        seen_along(cell, 1, ahead, all * share.y),
+        seen_along(cell, 2, ahead, all * share.z),
     );
 }
 

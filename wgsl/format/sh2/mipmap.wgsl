@@ -5,7 +5,7 @@
 
 import package::common::volume::{block_texel, load_volume};
 import package::encoding::{SignedVolumeTarget, encode_radiances};
-import package::format::cell::{COVERAGE, Cell, CoverageTarget, HARMONICS, coverage_texel, encode_cell, load_cell, seen_along, shared_by_axes};
+import package::format::cell::{COVERAGE, Cell, CoverageTarget, HARMONICS, coverage_texel, encode_cell, load_cell, seen_from};
 import package::format::options::{BASE, BASE_ISOTROPIC, MIP, MIP_COMPOSITED, MIP_PROJECTED};
 import package::format::project::project_child;
 import package::format::voxel::voxel_cell;
@@ -56,9 +56,8 @@ fn voxel_mipmap(cell: vec3u, level: u32) {
         } else {
             c = load_cell(harmonics_source, coverage_source, place);
         }
-        let of_both = shared_by_axes(c);
-        positive[i] = seen_along(c, vec3f(-1.0), of_both);
-        negative[i] = seen_along(c, vec3f(1.0), of_both);
+        positive[i] = seen_from(c, vec3f(-1.0));
+        negative[i] = seen_from(c, vec3f(1.0));
         if (MIP != MIP_COMPOSITED) {
             if (MIP == MIP_PROJECTED) {
                 c = project_child(c, 1.0 - 2.0 * vec3f(offset));

@@ -10,7 +10,7 @@ import package::common::volume_sampler::volume_sampler;
 import package::encoding::{decode_radiances, filter_volume};
 import package::format::ahead::side_ahead;
 import package::format::bands::radiance_by_bands;
-import package::format::cell::{COVERAGE, Cell, HARMONICS, seen_along, shared_by_axes};
+import package::format::cell::{COVERAGE, Cell, HARMONICS, seen_from};
 import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_SIDES};
 
 // Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
@@ -48,7 +48,7 @@ fn opacity_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> f32 {
 // As far as they are opaque.
 fn radiance_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> vec3f {
     let c = cell_at(uvw, level);
-    let value = seen_along(c, ahead_along(direction), shared_by_axes(c)) * abs(direction);
+    let value = seen_from(c, ahead_along(direction)) * abs(direction);
     if (NEGATIVES == NEGATIVES_SIDES) {
         return value.rgb / max(value.a, 1.0);
     }
@@ -105,9 +105,5 @@ fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, beh
     if (BASE != BASE_ISOTROPIC) {
         return see_sides_ahead(uvw, level, direction, apex, behind);
     }
-    let coarse = see_sides_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind);
-    if (level >= 1.0) {
-        return coarse;
-    }
-    return see_over_base(base, uvw, level, coarse);
+    return see_over_base(base, uvw, level, see_sides_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind));
 }

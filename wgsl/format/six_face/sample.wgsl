@@ -65,9 +65,5 @@ fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, beh
     if (BASE != BASE_ISOTROPIC) {
         return see_faces_ahead(uvw, level, direction, apex, behind);
     }
-    let coarse = see_faces_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind);
-    if (level >= 1.0) {
-        return coarse;
-    }
-    return see_over_base(base, uvw, level, coarse);
+    return see_over_base(base, uvw, level, see_faces_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind));
 }

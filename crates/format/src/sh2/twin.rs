@@ -62,36 +62,29 @@ impl Cell {
         both / both.element_sum().max(1e-6)
     }
 
-    fn shared_by_axes(&self) -> [DVec3; 3] {
-        let (all, share) = (self.shared_in_all(), self.share_of_axes());
-        std::array::from_fn(|axis| all * share[axis])
-    }
-
     /// Along one axis, to a cone that something lies behind.
     fn side_ahead(&self, axis: usize, side: DVec3, hidden: DVec3) -> DVec4 {
         const WITHIN: f64 = 0.7;
         let both = self.positive.min(self.negative);
-        let (far, near) = if side[axis] > 0.0 {
-            (self.positive[axis], self.negative[axis])
-        } else {
-            (self.negative[axis], self.positive[axis])
-        };
+        let far = if side[axis] > 0.0 { self.positive } else { self.negative }[axis];
         let outside = (side[axis] * self.band1[axis]).max(DVec3::ZERO) / far.max(1e-3);
         let mut all = self.shared_in_all();
         for other in [(axis + 1) % 3, (axis + 2) % 3] {
             let within = WITHIN * (-side[other] * self.band1[other]).max(DVec3::ZERO);
             all -= hidden[other] * (outside * both[other] - within).max(DVec3::ZERO);
         }
-        let shared = all.max(DVec3::ZERO) * self.share_of_axes()[axis];
-        (shared + (-side[axis] * self.band1[axis]).max(DVec3::ZERO)).extend(near)
+        self.seen_along(axis, side, all.max(DVec3::ZERO) * self.share_of_axes()[axis])
     }
 
-    /// Of an observer who looks along the axes in these directions, 1 or −1.
-    fn seen_along(&self, ahead: DVec3, shared: &[DVec3; 3]) -> Seen {
-        std::array::from_fn(|axis| {
-            let side = if ahead[axis] > 0.0 { self.negative } else { self.positive };
-            (shared[axis] + (-ahead[axis] * self.band1[axis]).max(DVec3::ZERO)).extend(side[axis])
-        })
+    /// Along one axis, of an observer who looks along the axes in these directions, 1 or −1.
+    fn seen_along(&self, axis: usize, ahead: DVec3, of_both: DVec3) -> DVec4 {
+        let side = if ahead[axis] > 0.0 { self.negative } else { self.positive };
+        (of_both + (-ahead[axis] * self.band1[axis]).max(DVec3::ZERO)).extend(side[axis])
+    }
+
+    fn seen_from(&self, ahead: DVec3) -> Seen {
+        let (all, share) = (self.shared_in_all(), self.share_of_axes());
+        std::array::from_fn(|axis| self.seen_along(axis, ahead, all * share[axis]))
     }
 
     fn sides_opacity(&self) -> f64 {
@@ -212,7 +205,7 @@ impl Sh2Twin {
 
     fn sample_sides(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
         let cell = self.cell_at(volumes, uvw, level);
-        let seen = cell.seen_along(ahead_along(direction), &cell.shared_by_axes());
+        let seen = cell.seen_from(ahead_along(direction));
         let value: DVec4 = (0..3).map(|axis| direction[axis].abs() * seen[axis]).sum();
         if self.negatives == Negatives::Sides {
             return value / value.w.max(1.0);
@@ -254,7 +247,7 @@ impl Twin for Sh2Twin {
 
     fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
         let child = children(cell).map(|child| self.child(volumes, child, level));
-        let seen = |ahead: f64| child.map(|c| c.seen_along(DVec3::splat(ahead), &c.shared_by_axes()));
+        let seen = |ahead: f64| child.map(|c| c.seen_from(DVec3::splat(ahead)));
         let mut parent = Cell::encode(&composite(&seen(-1.0), true), &composite(&seen(1.0), false));
         if self.mip != Mip::Composited {
             let offsets = children(UVec3::ZERO).map(|offset| 1.0 - 2.0 * offset.as_dvec3());
@@ -276,7 +269,7 @@ impl Twin for Sh2Twin {
             return self.sample_sides(volumes, uvw, level, direction);
         }
         let coarse = self.sample_sides(volumes, uvw, (level - 1.0).max(0.0), direction);
-        if level >= 1.0 { coarse } else { volumes.sample_over_base(0, uvw, level, coarse) }
+        volumes.sample_over_base(0, uvw, level, coarse)
     }
 
     fn voxel_sample_ahead(
@@ -295,6 +288,6 @@ impl Twin for Sh2Twin {
             return self.see_sides_ahead(volumes, uvw, level, direction, apex, behind);
         }
         let coarse = self.see_sides_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
-        if level >= 1.0 { coarse } else { coarse.over_base(volumes, uvw, level) }
+        coarse.over_base(volumes, uvw, level)
     }
 }

@@ -21,10 +21,10 @@ impl SeenAhead {
         SeenAhead { value, known: value.w, behind: DVec3::ZERO }
     }
 
-    /// [`Volumes::sample_over_base`] of what a cone sees of level 1: level 0, the first volume, is known.
+    /// [`Volumes::sample_over_base`] of what a cone sees: level 0, the first volume, is known.
     pub fn over_base(self, volumes: &Volumes, uvw: DVec3, level: f64) -> SeenAhead {
         let value = volumes.sample_over_base(0, uvw, level, self.value);
-        let unknown = level.max(0.0) * (self.value.w - self.known);
+        let unknown = level.clamp(0.0, 1.0) * (self.value.w - self.known);
         SeenAhead { value, known: value.w - unknown, ..self }
     }
 }

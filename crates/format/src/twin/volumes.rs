@@ -127,9 +127,13 @@ impl Volumes {
         self.sample(volume, uvw.with_z((f64::from(block) + w) / f64::from(of.blocks)), mip)
     }
 
-    /// `sample_over_base` of `wgsl/common/isotropic_base.wgsl`: level 0 as far as level 1, `coarse`, shows it.
+    /// `sample_over_base` of `wgsl/common/isotropic_base.wgsl`: level 0 as far as level 1, `coarse`, shows it;
+    /// from level 1 up, `coarse`.
     pub fn sample_over_base(&self, base: usize, uvw: DVec3, level: f64, coarse: DVec4) -> DVec4 {
         const FACING_FULL: f64 = 0.25;
+        if level >= 1.0 {
+            return coarse;
+        }
         let fine = self.sample(base, uvw, 0.0) * (coarse.w / FACING_FULL).clamp(0.0, 1.0);
         fine.lerp(coarse, level.max(0.0))
     }
