@@ -31,8 +31,7 @@ pub fn not_finite(picture: &Picture) -> usize {
     picture.pixels.iter().flatten().filter(|value| !value.is_finite()).count()
 }
 
-/// In all images and volumes of a frame.
-pub fn count(bench: &Bench<'_>, scene: &Scene, size: [u32; 2]) -> Result<usize, Failure> {
+fn count(bench: &Bench<'_>, scene: &Scene, size: [u32; 2]) -> Result<usize, Failure> {
     let renderer = bench.render_at(bench.resolution, size, scene, "final", &ALL)?;
     let mut count = 0;
     for name in images(&renderer) {
