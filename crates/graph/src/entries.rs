@@ -37,6 +37,18 @@ pub(crate) fn check_entries(pipeline: &Pipeline, library: &Library, faults: &mut
             let message = format!("unknown layers `{}`", layers.value);
             faults.push(pipeline.fault(&layers.span, message, "one of: lights (a layer for each four)"));
         }
+        let described = [
+            pass.shows.as_ref().map(|shows| ("shows", &shows.span)),
+            pass.reference.as_ref().map(|reference| ("reference", &reference.span)),
+        ];
+        for (word, span) in described.into_iter().flatten().filter(|_| !is_screen(pass)) {
+            let message = format!("pass `{}` makes no image that `{word}` could describe", pass.name);
+            faults.push(pipeline.fault(
+                span,
+                message,
+                "only a pass that makes an image for the screen has it",
+            ));
+        }
         match Kind::get(run) {
             Some(kind) => check_ports(pipeline, pass, kind, faults),
             None if pass.writes.len() != 1 => {

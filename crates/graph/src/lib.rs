@@ -17,6 +17,7 @@ mod pipeline;
 mod plan;
 mod planner;
 mod probe;
+mod shown;
 mod variant;
 
 pub use expand::voxelize::DEFAULT_METHOD;
@@ -30,4 +31,5 @@ pub use plan::{
 };
 pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
+pub use shown::{Reference, Shows};
 pub use variant::check_variant;

@@ -10,6 +10,7 @@ use voxlume_fault::{Fault, Faults, Source, one_of};
 use voxlume_scene::WORLD_LIMIT;
 
 use crate::grid::Extent;
+use crate::shown::{Reference, Shows, choice};
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
 #[derive(Clone, Debug)]
@@ -60,10 +61,21 @@ pub struct PassEntry {
     pub layers: Option<Located<String>>,
     /// Whether each tile of 4 × 4 pixels shares out the effect's directions, and the image is their mean.
     pub interleave: bool,
+    /// What its image's values are; light unless given.
+    pub shows: Option<Located<Shows>>,
+    /// What its image is held against; the finest setting compared unless given.
+    pub reference: Option<Located<Reference>>,
     /// Its parameters.
     pub params: Vec<Param>,
     /// Bytes of `run`'s value, for faults about the whole.
     pub span: Range<usize>,
+}
+
+impl PassEntry {
+    /// Whether it runs a WGSL file that makes one image, not a kind of pass.
+    pub fn is_effect(&self) -> bool {
+        self.run.value.starts_with("effect/") || self.run.value.ends_with(".wgsl")
+    }
 }
 
 /// A parameter of a pass.
@@ -245,6 +257,8 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
     let interleave = fields.optional::<bool>("interleave", faults).unwrap_or(false);
+    let shows = choice(&mut fields, "shows", &Shows::WORDS, faults);
+    let reference = choice(&mut fields, "reference", &Reference::WORDS, faults);
     let mut word = |name: &str, faults: &mut Faults| {
         let node = fields.node(name)?;
         Some(Located { value: faults.gather(node.get())?, span: Some(node.span()) })
@@ -278,7 +292,20 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let span = run.span.clone().unwrap_or(node.head());
     let stem = run.value.rsplit('/').next().unwrap_or_default().trim_end_matches(".wgsl").to_owned();
     let name = name.unwrap_or(stem);
-    Some(PassEntry { name, run, reads, writes, updates, when, layers, interleave, params, span })
+    Some(PassEntry {
+        name,
+        run,
+        reads,
+        writes,
+        updates,
+        when,
+        layers,
+        interleave,
+        shows,
+        reference,
+        params,
+        span,
+    })
 }
 
 fn value(node: Node<'_>) -> Result<Value, Faults> {

@@ -24,8 +24,8 @@ pub use voxlume_format::{
 };
 pub use voxlume_graph::{
     Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Program,
-    Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Value, check_variant, explain,
-    plan, probe,
+    Reference, Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Shows, Step, Target, Value,
+    check_variant, explain, plan, probe,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};
