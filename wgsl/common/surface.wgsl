@@ -1,6 +1,7 @@
 // What the camera sees through a pixel, as every effect gets it.
 
-import package::common::frame::{frame, to_voxel};
+import package::common::camera::camera;
+import package::common::grid::to_voxel;
 
 @group(0) @binding(11) var albedo: texture_2d<f32>;
 @group(0) @binding(12) var normal: texture_2d<f32>;
@@ -31,8 +32,8 @@ struct Surface {
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {
-    let ndc = (vec2f(pixel) + 0.5) / vec2f(frame.screen) * 2.0 - 1.0;
-    return frame.forward + ndc.x * frame.right - ndc.y * frame.up;
+    let ndc = (vec2f(pixel) + 0.5) / vec2f(camera.screen) * 2.0 - 1.0;
+    return camera.forward + ndc.x * camera.right - ndc.y * camera.up;
 }
 
 fn surface_load(pixel: vec2u) -> Surface {
@@ -45,7 +46,7 @@ fn surface_load(pixel: vec2u) -> Surface {
     if (!s.hit) {
         return s;
     }
-    s.position = frame.eye + ray * (frame.near / d);
+    s.position = camera.eye + ray * (camera.near / d);
     s.position_voxel = to_voxel(s.position);
     let color = textureLoad(albedo, pixel, 0);
     let shading = textureLoad(normal, pixel, 0);

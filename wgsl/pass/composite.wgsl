@@ -2,7 +2,8 @@
 
 import package::common::brdf::{brdf, lobe_reflectance};
 import package::common::constants::PI;
-import package::common::frame::frame;
+import package::common::camera::camera;
+import package::common::environment::environment;
 import package::common::light::{lights, light_incidence};
 import package::common::range::in_half_range;
 import package::common::reflectance::diffuse_albedo;
@@ -27,7 +28,7 @@ override HAS_SPECULAR: bool = true;
 
 fn direct_light(surface: Surface, pixel: vec2u, open: f32) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.light_count; i++) {
+    for (var i = 0u; i < environment.light_count; i++) {
         let light = lights[i];
         var visibility = open;
         if (HAS_SHADOW) {
@@ -42,12 +43,12 @@ fn direct_light(surface: Surface, pixel: vec2u, open: f32) -> vec3f {
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let pixel = id.xy;
-    if (any(pixel >= frame.screen)) {
+    if (any(pixel >= camera.screen)) {
         return;
     }
     let surface = surface_load(pixel);
     if (!surface.hit) {
-        textureStore(image, pixel, 0, vec4f(in_half_range(frame.sky), 0.0));
+        textureStore(image, pixel, 0, vec4f(in_half_range(environment.sky), 0.0));
         return;
     }
     var open = 1.0;

@@ -1,7 +1,7 @@
 // The mean over the pixels that shared out an effect's directions (interleaved sampling, Keller and Heidrich 2001): any
 // window of 4 × 4 holds each of the 16 sets once. Only pixels on the same surface count.
 
-import package::common::frame::frame;
+import package::common::camera::camera;
 import package::common::surface::surface_load;
 
 @group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
@@ -14,7 +14,7 @@ const SAME_NORMAL = 0.9;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-    if (any(id.xy >= frame.screen)) {
+    if (any(id.xy >= camera.screen)) {
         return;
     }
     let own = surface_load(id.xy);
@@ -27,7 +27,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     for (var y = -1; y < 3; y++) {
         for (var x = -1; x < 3; x++) {
             let pixel = vec2i(id.xy) + vec2i(x, y);
-            if (any(pixel < vec2i(0)) || any(pixel >= vec2i(frame.screen))) {
+            if (any(pixel < vec2i(0)) || any(pixel >= vec2i(camera.screen))) {
                 continue;
             }
             let other = surface_load(vec2u(pixel));

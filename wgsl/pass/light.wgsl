@@ -2,7 +2,8 @@
 
 import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
-import package::common::frame::{frame, from_voxel, to_voxel};
+import package::common::environment::environment;
+import package::common::grid::{grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
@@ -38,7 +39,7 @@ fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f)
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
         return shadow_map_visibility(light, from_voxel(origin));
     }
-    var reach = incidence.distance / frame.voxel_size - dot(lift, incidence.direction);
+    var reach = incidence.distance / grid.voxel_size - dot(lift, incidence.direction);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // Stops short of the voxels of the light itself.
         let cosine = dot(light.direction, incidence.direction);
@@ -52,7 +53,7 @@ fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
     // The surface lies at most half a voxel from the voxel's centre; the centre stands for it.
     let position = from_voxel(p_voxel);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.light_count; i++) {
+    for (var i = 0u; i < environment.light_count; i++) {
         let light = lights[i];
         let whole = light_incidence(light, position, normal);
         if (all(whole.irradiance <= vec3f(0.0))) {

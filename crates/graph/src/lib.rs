@@ -7,6 +7,7 @@ mod entries;
 mod expand;
 mod explain;
 mod facts;
+mod flow;
 mod grid;
 mod kind;
 mod limits;
@@ -26,7 +27,8 @@ pub use grid::{Extent, Grid, fixed_point_scale};
 pub use kind::{KINDS, Kind, ParamWords, Port, SURFACE_IMAGES, Values};
 pub use pipeline::{Located, Param, PassEntry, Pipeline, Value};
 pub use plan::{
-    Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target, Vertices,
+    Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,
+    Resource, ResourceKind, Sources, Step, Target, Update, Vertices,
 };
 pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};

@@ -5,7 +5,7 @@ use voxlume_fault::{Fault, Faults};
 use crate::expand::Context;
 use crate::facts::SceneFacts;
 use crate::pipeline::Pipeline;
-use crate::plan::{Plan, ResourceKind};
+use crate::plan::{ImageExtent, Plan, ResourceKind};
 
 /// Largest side of a 2D texture.
 const TEXTURE_2D: u32 = 8192;
@@ -68,7 +68,7 @@ pub(crate) fn check_resources(pipeline: &Pipeline, context: &mut Context<'_>) {
                     resource.name
                 )
             }
-            ResourceKind::ShadowMaps { layers, .. } if *layers > LAYERS => {
+            ResourceKind::Image { extent: ImageExtent::Fixed(_), layers, .. } if *layers > LAYERS => {
                 format!("the lights need {layers} shadow maps; at most {LAYERS} fit")
             }
             ResourceKind::Image { layers, .. } if *layers > LAYERS => {

@@ -6,6 +6,7 @@ use voxlume_shader::{Field, Shader, StructLayout};
 
 use crate::kind::{Kind, Values};
 use crate::pipeline::{Param, PassEntry, Pipeline, Value};
+use crate::plan::{ParamBytes, Plan, ResourceKind};
 
 /// Reads the parameters of one pass, each at most once, and reports what nobody read.
 pub(crate) struct Params<'a> {
@@ -148,6 +149,44 @@ impl<'a> Params<'a> {
             }
         }
     }
+}
+
+/// Where a parameter of a pass is, and its bytes for a new value.
+pub(crate) fn rewrite(plan: &Plan, pass: &str, name: &str, value: &Value) -> Result<ParamBytes, Fault> {
+    let Some(of) = plan.passes.iter().find(|known| known.name == pass) else {
+        let known = plan.passes.iter().map(|pass| pass.name.as_str());
+        return Err(Fault::new(format!("no pass of the plan is called `{pass}`")).note(suggest(pass, known)));
+    };
+    // Angles are degrees where their name says so.
+    let (field_name, scale) = match name.strip_suffix("_deg") {
+        Some(radians) => (radians, std::f64::consts::PI / 180.0),
+        None => (name, 1.0),
+    };
+    let Some(slot) = of.params.iter().find(|slot| slot.name == field_name) else {
+        let known = of.params.iter().map(|slot| slot.name.as_str());
+        let message =
+            format!("pass `{pass}` has no parameter `{name}` that can change without planning again");
+        return Err(Fault::new(message).note(suggest(name, known)));
+    };
+    let shader = &plan.shaders[slot.shader];
+    let layout = shader.struct_layout("Params");
+    let field = layout.as_ref().and_then(|layout| layout.fields.iter().find(|field| field.name == slot.name));
+    let bytes = field.and_then(|field| Some((field, encode(shader, field, value, scale)?)));
+    let Some((field, bytes)) = bytes else {
+        let what = field.map(|field| describe(shader, field)).unwrap_or_default();
+        return Err(Fault::new(format!("parameter `{name}` of pass `{pass}` can't be {value}")).note(what));
+    };
+    let resource = &plan.resources[slot.resource];
+    if let (Some(fixed), ResourceKind::Uniform(now)) = (slot.fixed_at, &resource.kind) {
+        let at = field.offset as usize;
+        let fixed = encode(shader, field, &Value::Number(fixed), 1.0);
+        let is = now.get(at..at + bytes.len()) == fixed.as_deref();
+        if is != (fixed.as_ref() == Some(&bytes)) {
+            let message = format!("`{name}` of pass `{pass}` can't become {value} without planning again");
+            return Err(Fault::new(message).note("the plan leaves something out where it is 0"));
+        }
+    }
+    Ok(ParamBytes { resource: slot.resource, offset: field.offset, bytes })
 }
 
 fn spec<'k>(kind: &'k Kind, name: &str) -> Option<&'k Values> {

@@ -9,13 +9,14 @@ use voxlume_shader::Library;
 use crate::entries::{check_entries, images, makes};
 use crate::expand::{self, Context, Expansion, Storage};
 use crate::facts::SceneFacts;
+use crate::flow::Flow;
 use crate::grid::Grid;
 use crate::kind::Kind;
 use crate::limits;
 use crate::live::{explain_channels, live};
 use crate::order::{Makers, order};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
-use crate::plan::{Pass, Plan};
+use crate::plan::{Pass, Plan, Update};
 use crate::variant;
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
@@ -121,21 +122,26 @@ pub fn plan(
         let kind = kind_of(entry);
         let mut expansion = Expansion::new(&mut context, entry, kind);
         (kind.expand)(&mut expansion);
-        let (once, steps) = expansion.finish();
+        let (once, steps, params) = expansion.finish();
         let words = |list: &[Located<String>]| list.iter().map(|name| name.value.clone()).collect::<Vec<_>>();
         let reads: Vec<String> =
             words(&entry.reads).into_iter().filter(|name| context.available.contains(name)).collect();
         let writes = [words(&entry.writes), words(&entry.updates)].concat();
-        let parts = [
-            (format!("{} static", entry.name), true, once),
-            (entry.name.clone(), kind.name == "voxelize" && facts.moving_triangles == 0, steps),
-        ];
-        passes.extend(parts.map(|(name, once, steps)| Pass {
-            name,
-            once,
-            reads: reads.clone(),
-            writes: writes.clone(),
-            steps,
+        let parts = [(format!("{} static", entry.name), once, vec![]), (entry.name.clone(), steps, params)];
+        passes.extend(parts.map(|(name, steps, params)| {
+            let Flow { mut sources, inputs, outputs } = Flow::of(&steps, &context.resources);
+            sources.geometry &= facts.moving_triangles > 0 && !name.ends_with(" static");
+            Pass {
+                name,
+                reads: reads.clone(),
+                writes: writes.clone(),
+                steps,
+                sources,
+                inputs,
+                outputs,
+                update: Update::Changed,
+                params,
+            }
         }));
     }
     passes.retain(|pass| !pass.steps.is_empty());

@@ -9,10 +9,11 @@ use voxlume_shader::Library;
 use crate::expand::voxelize::LEVEL_RUN_BYTES;
 use crate::expand::{Binds, Context, Expansion, Storage, groups_for};
 use crate::facts::SceneFacts;
+use crate::flow::Flow;
 use crate::grid::Grid;
 use crate::kind::{KINDS, Kind};
 use crate::pipeline::Pipeline;
-use crate::plan::{Pass, Plan, ResourceKind, Target};
+use crate::plan::{Pass, Plan, ResourceKind, Target, Update};
 
 /// How much a [`probe`] holds.
 #[derive(Clone, Copy, Debug)]
@@ -89,10 +90,16 @@ pub fn probe(
         let mut expansion = Expansion::new(&mut context, entry, kind);
         (kind.expand)(&mut expansion);
         // Neither kind has anything to do only once.
-        let (_, steps) = expansion.finish();
-        passes.push(Pass { name: entry.name.clone(), once: false, reads: vec![], writes: vec![], steps });
+        let (_, steps, params) = expansion.finish();
+        passes.push((entry.name.clone(), steps, params));
     }
     let Context { shaders, resources, faults, grid, .. } = context;
+    let passes = passes.into_iter().map(|(name, steps, params)| {
+        let Flow { sources, inputs, outputs } = Flow::of(&steps, &resources);
+        let update = Update::Changed;
+        Pass { name, reads: vec![], writes: vec![], steps, sources, inputs, outputs, update, params }
+    });
+    let passes = passes.collect();
     faults.into_result(Plan {
         format: format.name().to_owned(),
         encoding,

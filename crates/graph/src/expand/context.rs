@@ -9,7 +9,7 @@ use voxlume_shader::{EFFECT, Library, Shader, link};
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::pipeline::Pipeline;
-use crate::plan::{LeftOut, Resource, ResourceKind};
+use crate::plan::{LeftOut, Life, Resource, ResourceKind};
 
 /// A storage format with all that is chosen about it.
 pub(crate) struct Storage<'a> {
@@ -113,7 +113,7 @@ impl<'a> Context<'a> {
     pub fn resource(&mut self, name: &str, kind: ResourceKind) -> usize {
         let known = self.resources.iter().position(|resource| resource.name == name);
         known.unwrap_or_else(|| {
-            self.resources.push(Resource { name: name.to_owned(), kind });
+            self.resources.push(Resource { name: name.to_owned(), kind, life: Life::Frame });
             self.resources.len() - 1
         })
     }
@@ -155,6 +155,7 @@ impl<'a> Context<'a> {
             ("HAS_EMISSION", flag(self.voxel_emission())),
             ("HAS_VOXEL_EMISSION", flag(self.voxel_emission())),
             ("HAS_COVERAGE", flag(self.coverage)),
+            ("TEXTURE_SIZE", f64::from(facts.texture_size)),
             ("HAS_DIRECTIONAL", flag(facts.directional > 0)),
             ("HAS_POINT", flag(facts.point > 0)),
             ("HAS_SPOT", flag(facts.spot > 0)),
@@ -163,6 +164,11 @@ impl<'a> Context<'a> {
             ("ATTRIBUTE_STRIDE", f64::from(self.attribute_stride())),
             ("ENCODING_RANGE", f64::from(self.storage.encoding.range())),
         ]
+    }
+
+    /// `Grid` in wgsl/common/grid.wgsl.
+    pub fn grid_bytes(&self) -> Vec<u8> {
+        self.grid.uniform(self.facts.triangles, self.facts.emission_max)
     }
 
     /// Whether voxels hold emission.

@@ -1,11 +1,11 @@
 //! What the camera sees.
 
+use super::screen_image;
 use super::{Binds, Expansion};
-use crate::plan::{ImageTexel, ResourceKind, Step};
+use crate::plan::{ImageTexel, Step};
 
 pub(crate) fn gbuffer(e: &mut Expansion<'_, '_>) {
-    let image = |texel| ResourceKind::Image { texel, layers: 1 };
-    let depth = e.context.resource("depth", image(ImageTexel::Depth32));
+    let depth = e.context.resource("depth", screen_image(ImageTexel::Depth32, 1));
     let targets = [
         ("albedo", ImageTexel::Rgba8Srgb),
         ("normal", ImageTexel::Rgba16Float),
@@ -13,7 +13,7 @@ pub(crate) fn gbuffer(e: &mut Expansion<'_, '_>) {
         ("emission", ImageTexel::Rgba16Float),
     ];
     let colors = targets.map(|(name, texel)| {
-        e.context.surface_images.contains(name).then(|| e.context.resource(name, image(texel)))
+        e.context.surface_images.contains(name).then(|| e.context.resource(name, screen_image(texel, 1)))
     });
     let emission = [("HAS_EMISSION", f64::from(e.context.facts.emissive))];
     let binds = Binds { constants: &emission, ..Binds::default() };

@@ -14,25 +14,11 @@ use voxlume_shader::{Binding, Shader};
 
 pub(crate) use context::{Context, Storage};
 
+use crate::flow::{PARAMS_SUFFIX, is_scene};
 use crate::kind::{Kind, SURFACE_IMAGES};
 use crate::params::{Params, words};
 use crate::pipeline::PassEntry;
-use crate::plan::{Bind, Program, ResourceKind, Step, Target};
-
-/// Variables that the engine supplies.
-const SCENE: [&str; 11] = [
-    "frame",
-    "vertices",
-    "indices",
-    "materials",
-    "lights",
-    "color_textures",
-    "data_textures",
-    "material_sampler",
-    "shadow_sampler",
-    "shadow_matrices",
-    "volume_sampler",
-];
+use crate::plan::{Bind, ImageExtent, ImageTexel, ParamSlot, Program, ResourceKind, Step, Target};
 
 /// Variables that make up `voxels`.
 const VOXELS: [&str; 12] = [
@@ -64,6 +50,7 @@ pub(crate) struct Expansion<'c, 'a> {
     pub once: Vec<Step>,
     used: BTreeSet<String>,
     uniform: Option<Target>,
+    slots: Vec<ParamSlot>,
 }
 
 /// What a program is bound to beside the variables that everybody knows.
@@ -87,6 +74,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
             once: Vec::new(),
             used: BTreeSet::new(),
             uniform: None,
+            slots: Vec::new(),
         }
     }
 
@@ -170,7 +158,11 @@ impl<'c, 'a> Expansion<'c, 'a> {
 
     fn target(&mut self, binding: &Binding, shader: usize) -> Option<Target> {
         let name = binding.name.as_str();
-        if SCENE.contains(&name) {
+        if name == "grid" {
+            let bytes = self.context.grid_bytes();
+            return Some(Target::Resource(self.context.resource("grid", ResourceKind::Uniform(bytes))));
+        }
+        if is_scene(name) {
             return Some(Target::Resource(self.context.resource(name, ResourceKind::Scene)));
         }
         if name == "params" {
@@ -220,7 +212,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// Reports what the entry names and the pass never used, and parameters that nobody read.
     ///
     /// Gives the steps that have to be done only once, and the others.
-    pub fn finish(self) -> (Vec<Step>, Vec<Step>) {
+    pub fn finish(self) -> (Vec<Step>, Vec<Step>, Vec<ParamSlot>) {
         for name in &self.entry.reads {
             if !self.used.contains(&name.value) && self.context.faults.is_empty() {
                 let message = format!("pass `{}` never uses `{}`", self.entry.name, name.value);
@@ -231,16 +223,25 @@ impl<'c, 'a> Expansion<'c, 'a> {
         if !self.steps.is_empty() || self.kind.name == "bounce" {
             self.params.finish(&mut self.context.faults);
         }
-        (self.once, self.steps)
+        (self.once, self.steps, self.slots)
+    }
+
+    fn slot(&self, name: &str, resource: usize, shader: usize) -> ParamSlot {
+        let fixed_at = (name == "ao_weight").then_some(0.0);
+        ParamSlot { name: name.to_owned(), resource, shader, fixed_at }
     }
 
     /// The `Params` of the pass's shader, read once however often it is bound.
     fn uniform(&mut self, shader: usize) -> Option<Target> {
         if self.uniform.is_none() {
-            let shader = &self.context.shaders[shader];
+            let index = shader;
+            let shader = &self.context.shaders[index];
             let layout = shader.struct_layout("Params")?;
             let bytes = self.params.uniform(shader, &layout, &mut self.context.faults);
-            self.uniform = Some(Target::Uniform(bytes));
+            let name = format!("{}{PARAMS_SUFFIX}", self.entry.name);
+            let resource = self.context.resource(&name, ResourceKind::Uniform(bytes));
+            self.slots = layout.fields.iter().map(|field| self.slot(&field.name, resource, index)).collect();
+            self.uniform = Some(Target::Resource(resource));
         }
         self.uniform.clone()
     }
@@ -257,6 +258,11 @@ pub(crate) fn step_params(level: u32) -> (&'static str, Target) {
     let mut bytes = vec![0; 16];
     bytes[..4].copy_from_slice(&level.to_le_bytes());
     ("step_params", Target::Uniform(bytes))
+}
+
+/// An image of the screen's size.
+pub(crate) fn screen_image(texel: ImageTexel, layers: u32) -> ResourceKind {
+    ResourceKind::Image { extent: ImageExtent::SCREEN, texel, layers, mips: 1 }
 }
 
 /// Workgroups for so many items in a row: x, then rows of at most `ROW_GROUPS` (see wgsl/common/dispatch.wgsl).

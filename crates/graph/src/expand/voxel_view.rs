@@ -1,6 +1,6 @@
 //! The voxels of a level, seen.
 
-use super::{Binds, Expansion, step_params};
+use super::{Binds, Expansion, screen_image, step_params};
 use crate::plan::{Groups, ImageTexel, ResourceKind, Step, Target};
 
 /// Bytes of a `ShownVoxel`.
@@ -20,8 +20,8 @@ pub(crate) fn voxel_view(e: &mut Expansion<'_, '_>) {
         e.params.refuse("level", &format!("this grid's levels are 0 to {coarsest}"), &mut e.context.faults);
         return;
     }
-    let image = ResourceKind::Image { texel: ImageTexel::Rgba16Float, layers: 1 };
-    let image = Target::Resource(e.context.resource(&write.value, image));
+    let index = e.context.resource(&write.value, screen_image(ImageTexel::Rgba16Float, 1));
+    let image = Target::Resource(index);
     let shown = Target::Resource(e.context.resource("shown_voxels", SHOWN_VOXEL));
     let targets =
         |level: u32| [("shown_voxels", shown.clone()), ("image", image.clone()), step_params(level)];
@@ -39,8 +39,6 @@ pub(crate) fn voxel_view(e: &mut Expansion<'_, '_>) {
     }
     let binds = Binds { targets: &targets(level), ..Binds::default() };
     if let Some(program) = e.program("pass/voxel_view", "main", &binds) {
-        let [width, height] = e.context.screen;
-        let groups = Groups::Fixed([width.div_ceil(8), height.div_ceil(8), 1]);
-        e.steps.push(Step::Compute { program, groups });
+        e.steps.push(Step::Compute { program, groups: Groups::Tiles(index) });
     }
 }
