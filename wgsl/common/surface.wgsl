@@ -23,7 +23,9 @@ struct Surface {
     metallic: f32,
     // Perceptual, [0, 1]; GGX α is its square.
     roughness: f32,
-    // Which layer of its image the effect is asked for.
+    // The texel of the effect's own image that is asked for, that image's size, and the layer.
+    pixel: vec2u,
+    image_size: vec2u,
     layer: u32,
     // [0, 1): which of the sets of directions that neighbouring pixels share out this one traces.
     turn: f32,
@@ -34,6 +36,16 @@ struct Surface {
 fn camera_ray(pixel: vec2u) -> vec3f {
     let ndc = (vec2f(pixel) + 0.5) / vec2f(camera.screen) * 2.0 - 1.0;
     return camera.forward + ndc.x * camera.right - ndc.y * camera.up;
+}
+
+// The pixel of the screen in the middle of a texel of an image that covers the screen with `size` texels.
+fn screen_pixel(texel: vec2u, size: vec2u) -> vec2u {
+    return vec2u((vec2f(texel) + 0.5) * vec2f(camera.screen) / vec2f(size));
+}
+
+// The texel of an image of `size` texels that a pixel of the screen lies in.
+fn image_texel(pixel: vec2u, size: vec2u) -> vec2u {
+    return vec2u((vec2f(pixel) + 0.5) * vec2f(size) / vec2f(camera.screen));
 }
 
 fn surface_load(pixel: vec2u) -> Surface {

@@ -24,9 +24,6 @@ struct Params {
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
-// What the voxels reflect of gathered emission; direct light is added to it.
-@group(1) @binding(6) var<storage, read_write> emitted: array<vec4f>;
-override HAS_EMITTED: bool = false;
 
 // How far over a plane of this normal the cells that it touches reach, in voxels.
 fn cell_height(normal: vec3f) -> f32 {
@@ -90,9 +87,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             arriving += (irradiance(p_voxel, normal, turn) + irradiance(p_voxel, -normal, turn)) / 6.0;
         }
     }
-    let radiance = surface.emission + surface.albedo / PI * arriving;
-    direct[slot] = vec4f(radiance, 1.0);
-    if (HAS_EMITTED) {
-        emitted[slot] = vec4f(radiance + emitted[slot].rgb, 1.0);
-    }
+    direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving, 1.0);
 }

@@ -19,13 +19,13 @@ pub fn explain(plan: &Plan) -> String {
     for pass in &plan.passes {
         let names = |list: &[String]| if list.is_empty() { "nothing".to_owned() } else { list.join(", ") };
         let _ = writeln!(text, "  {:<18} {} → {}", pass.name, names(&pass.reads), names(&pass.writes));
-        let _ = writeln!(text, "  {:<18}   runs {}", "", when(plan, pass));
+        let _ = writeln!(text, "  {:<18}   runs {}", "", when(pass));
         let _ = writeln!(text, "  {:<18}   {}", "", work(pass.steps.iter()));
     }
     let _ = writeln!(text, "\nresources");
     for (index, resource) in plan.resources.iter().enumerate() {
         let size = match &resource.kind {
-            ResourceKind::Scene => continue,
+            ResourceKind::Scene | ResourceKind::Uniform(_) => continue,
             ResourceKind::PerVoxel(bytes) => format!("{bytes} B × occupied voxels"),
             ResourceKind::PerCell(bytes) => format!("{bytes} B × occupied cells of all levels"),
             _ => plan.bytes(index, 0, 0).map(mebibytes).unwrap_or_default(),
@@ -42,7 +42,7 @@ pub fn explain(plan: &Plan) -> String {
 }
 
 /// What makes a pass run, in words.
-fn when(plan: &Plan, pass: &Pass) -> String {
+fn when(pass: &Pass) -> String {
     let Sources { geometry, lights, camera, parameters, time } = pass.sources;
     let sources = [
         (geometry, "triangles that move"),
@@ -52,11 +52,9 @@ fn when(plan: &Plan, pass: &Pass) -> String {
         (time, "time"),
     ];
     let sources = sources.into_iter().filter(|(depends, _)| *depends).map(|(_, name)| name.to_owned());
-    let made = pass.inputs.iter().filter(|input| !pass.outputs.contains(input));
-    let inputs = made.map(|input| format!("`{}`", plan.resources[*input].name));
-    let all: Vec<String> = sources.chain(inputs).collect();
+    let all: Vec<String> = sources.chain(pass.waits_for.iter().cloned()).collect();
     let changed =
-        if all.is_empty() { "once".to_owned() } else { format!("after a change of {}", all.join(", ")) };
+        if all.is_empty() { "once".to_owned() } else { format!("when these change: {}", all.join(", ")) };
     match pass.update {
         Update::Changed => changed,
         Update::Every(frames) => format!("{changed}, at most once in {frames} frames"),
@@ -88,8 +86,7 @@ fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
 
 fn shape(plan: &Plan, kind: &ResourceKind) -> String {
     match kind {
-        ResourceKind::Scene => String::new(),
-        ResourceKind::Uniform(_) => "uniform".into(),
+        ResourceKind::Scene | ResourceKind::Uniform(_) => String::new(),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
         ResourceKind::Volume { size: [x, y, z], mips, encoding, numbers } => {
             let texel = if numbers.are_bytes(*encoding) { "rgba8" } else { encoding.name() };

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use voxlume_shader::{Access, BindingKind};
 
-use crate::plan::{Bind, Groups, Program, Resource, ResourceKind, Sources, Step, Target, Vertices};
+use crate::plan::{
+    Bind, Groups, ParamSlot, Program, Resource, ResourceKind, Sources, Step, Target, Vertices,
+};
 
 /// What changes the part of the scene or the frame that the engine supplies under a name.
 #[derive(Clone, Copy, PartialEq)]
@@ -47,8 +49,8 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
-    /// Of steps in this order. A resource is an input if a step reads it before any step of the pass has written it.
-    pub fn of(steps: &[Step], resources: &[Resource]) -> Flow {
+    /// Of steps in this order, of a pass with these parameters. A resource is an input if a step reads it before any step of the pass has written it.
+    pub fn of(steps: &[Step], resources: &[Resource], params: &[ParamSlot]) -> Flow {
         let mut flow = Flow::default();
         let mut written = BTreeSet::new();
         let mut inputs = BTreeSet::new();
@@ -58,8 +60,8 @@ impl Flow {
                 let resource = &resources[index];
                 match resource.kind {
                     ResourceKind::Scene => flow.depends(&resource.name),
-                    ResourceKind::Uniform(_) if resource.name.ends_with(PARAMS_SUFFIX) => {
-                        flow.sources.parameters = true;
+                    ResourceKind::Uniform(_) => {
+                        flow.sources.parameters |= params.iter().any(|slot| slot.resource == index);
                     }
                     _ if !written.contains(&index) => {
                         inputs.insert(index);

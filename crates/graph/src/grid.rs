@@ -88,10 +88,11 @@ impl Grid {
     }
 
     /// `struct Grid` in wgsl/common/grid.wgsl, for voxels that sum the attributes of so many triangles, whose emission is at
-    /// most `emission_max`.
-    pub fn uniform(&self, triangles: u32, emission_max: f32) -> Vec<u8> {
+    /// most `emission_max`. World positions are relative to `origin`.
+    pub fn uniform(&self, origin: DVec3, triangles: u32, emission_max: f32) -> Vec<u8> {
         let mut words = Vec::new();
-        words.extend(self.min().to_array().map(f32::to_bits));
+        let min = (self.centre - origin).as_vec3() + self.min();
+        words.extend(min.to_array().map(f32::to_bits));
         words.push(self.voxel_size.to_bits());
         words.extend(self.size);
         words.push(self.levels());

@@ -2,7 +2,7 @@
 
 use voxlume_fault::Fault;
 use voxlume_format::{Encoding, Numbers};
-use voxlume_shader::{BindingKind, Shader};
+use voxlume_shader::{BindingKind, SampleKind, Shader};
 
 use crate::grid::Grid;
 use crate::params;
@@ -33,6 +33,9 @@ pub struct Plan {
     pub left_out: Vec<LeftOut>,
     /// The image that is the result, in `resources`.
     pub output: usize,
+    /// Buffers of two words each, in `resources`: how many values an encoding could not hold in a pass, and the largest as
+    /// a float's bits.
+    pub out_of_range: Vec<usize>,
     /// Bytes that it may take on the device; `None` for as many as there are.
     pub memory_budget: Option<u64>,
 }
@@ -171,6 +174,36 @@ impl ImageTexel {
         }
     }
 
+    /// What a shader's variable wants instead, where it can't be bound to an image of such texels.
+    pub(crate) fn misfit(self, variable: &BindingKind) -> Option<String> {
+        match variable {
+            BindingKind::StorageTexture { format, .. } => {
+                (format != self.name()).then(|| format!("a storage texture of {format}"))
+            }
+            BindingKind::Texture { sample, filterable, .. } => {
+                let own = match self {
+                    ImageTexel::Depth32 => SampleKind::Depth,
+                    ImageTexel::R32Uint => SampleKind::Uint,
+                    _ => SampleKind::Float,
+                };
+                let filters =
+                    matches!(self, ImageTexel::Rgba16Float | ImageTexel::Rgba8Unorm | ImageTexel::Rgba8Srgb);
+                let what = match sample {
+                    SampleKind::Float => "floats",
+                    SampleKind::Depth => "depths",
+                    SampleKind::Uint => "whole numbers, not negative",
+                    SampleKind::Sint => "whole numbers",
+                };
+                if own != *sample {
+                    return Some(format!("a texture of {what}"));
+                }
+                (own == SampleKind::Float && *filterable && !filters)
+                    .then(|| "texels that a sampler filters; `textureLoad` reads these".to_owned())
+            }
+            _ => Some("no texture".to_owned()),
+        }
+    }
+
     /// Bytes of a texel.
     pub fn bytes(self) -> u64 {
         match self {
@@ -200,7 +233,9 @@ pub struct Pass {
     pub sources: Sources,
     /// Resources, in [`Plan::resources`], of which it uses what earlier passes, or it in an earlier frame, left there.
     pub inputs: Vec<usize>,
-    /// Resources that it writes.
+    /// Names in the graph of what is in `inputs`, for `explain`.
+    pub waits_for: Vec<String>,
+    /// Resources that it writes and that some pass, or the reader of the output, may find there.
     pub outputs: Vec<usize>,
     /// When it runs.
     pub update: Update,
@@ -243,8 +278,8 @@ pub struct ParamSlot {
     pub resource: usize,
     /// The shader whose `Params` says what it takes, in [`Plan::shaders`].
     pub shader: usize,
-    /// The value at which the plan leaves something out: it can be neither left nor reached without planning again.
-    pub fixed_at: Option<f64>,
+    /// Whether the plan left something out for its value: another value needs another plan.
+    pub fixed: bool,
 }
 
 /// One dispatch, draw or clear.

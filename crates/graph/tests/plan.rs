@@ -78,8 +78,8 @@ fn order_follows_from_reads_and_writes() {
         is_in_order(&shuffled);
         let sorted = |plan: &Plan| {
             let mut passes: Vec<_> =
-                plan.passes.iter().map(|pass| (pass.name.clone(), pass.steps.len(), pass.once)).collect();
-            passes.sort();
+                plan.passes.iter().map(|pass| (pass.name.clone(), pass.steps.len(), pass.sources)).collect();
+            passes.sort_by(|a, b| a.0.cmp(&b.0));
             passes
         };
         assert_eq!(sorted(&shuffled), sorted(&expected), "turned by {turn}");
@@ -175,11 +175,11 @@ fn what_nothing_moves_runs_once() {
     let voxelized = |moving_triangles| {
         let plan = gi_for(&SceneFacts { moving_triangles, ..rich() }, &request());
         let passes = plan.passes.iter().filter(|pass| pass.name.starts_with("voxelize"));
-        let resources = ["static_occupancy", "static_ranks", "static_attributes", "occupancy_before"];
+        let resources = ["static_occupancy", "static_ranks", "static_attributes", "volume.stored"];
         let own = resources.map(|name| plan.resource(name).is_some());
         let vacates = plan.passes.iter().find(|pass| pass.name == "filter").unwrap().steps.len();
         let left_out = plan.left_out.into_iter().find(|item| item.what.starts_with("voxelizing"));
-        let passes: Vec<_> = passes.map(|pass| (pass.name.clone(), pass.once)).collect();
+        let passes: Vec<_> = passes.map(|pass| (pass.name.clone(), !pass.sources.geometry)).collect();
         (passes, own, vacates, left_out.map(|item| format!("{}: {}", item.what, item.why)))
     };
     let whole = |once| vec![("voxelize".to_owned(), once)];
