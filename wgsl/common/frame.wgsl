@@ -28,7 +28,7 @@ struct Frame {
     level_words: array<vec4u, 4>,
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+var<uniform> frame: Frame;
 
 fn to_voxel(position: vec3f) -> vec3f {
     return (position - frame.grid_min) / frame.voxel_size;

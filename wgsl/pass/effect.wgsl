@@ -5,8 +5,8 @@ import package::common::surface::surface_load;
 import package::common::turn::turn_at;
 import package::effect::{Params, effect};
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+var<uniform> params: Params;
+var image: texture_storage_2d_array<rgba16float, write>;
 
 // Whether the pixels of a tile of 4 × 4 share out the directions; `interleave` then takes their mean.
 override INTERLEAVE: bool = false;

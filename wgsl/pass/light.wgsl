@@ -18,13 +18,13 @@ struct Params {
     parts: u32,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(1) @binding(5) var<storage, read_write> direct: array<vec4f>;
+var<uniform> params: Params;
+var<storage, read_write> direct: array<vec4f>;
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
 // What the voxels reflect of gathered emission; direct light is added to it.
-@group(1) @binding(6) var<storage, read_write> emitted: array<vec4f>;
+var<storage, read_write> emitted: array<vec4f>;
 override HAS_EMITTED: bool = false;
 
 // How far over a plane of this normal the cells that it touches reach, in voxels.

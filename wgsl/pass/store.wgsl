@@ -5,7 +5,7 @@ import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::format::store::voxel_store;
 
-@group(1) @binding(6) var<storage, read> slot_radiance: array<vec4f>;
+var<storage, read> slot_radiance: array<vec4f>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -50,8 +50,8 @@ const VOXELS: [&str; 12] = [
     "occupancy_before",
 ];
 
-/// `@group` of the storage format's variables.
-const VOLUME_GROUP: u32 = 2;
+/// The folder of the modules of every storage format.
+const FORMATS: &str = "format/";
 
 /// One pass on its way to steps.
 pub(crate) struct Expansion<'c, 'a> {
@@ -177,7 +177,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
             return self.uniform(shader);
         }
         let volume = self.context.storage.volumes().iter().any(|volume| volume.name == name);
-        if binding.group == VOLUME_GROUP && !volume {
+        if binding.module.starts_with(FORMATS) && !volume {
             // What another choice of the format's options would have.
             return Some(Target::Nothing);
         }
