@@ -5,7 +5,7 @@
 import package::common::conflict::{CONFLICT, CONFLICT_SUM, unpack_reflectance};
 import package::common::grid::grid;
 
-@group(1) @binding(4) var<storage, read> attributes: array<u32>;
+var<storage, read> attributes: array<u32>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_VOXEL_EMISSION: bool = true;

@@ -5,7 +5,7 @@ import package::common::grid::to_voxel;
 import package::common::mesh::{vertices, triangle_indices, triangle_range};
 import package::common::triangle_box::TriangleBox;
 
-@group(1) @binding(9) var<storage, read> item_ranks: array<u32>;
+var<storage, read> item_ranks: array<u32>;
 
 // Columns that a band should have.
 const BAND_COLUMNS = 32.0;

@@ -18,4 +18,4 @@ struct Camera {
     padding: vec2u,
 }
 
-@group(0) @binding(0) var<uniform> camera: Camera;
+var<uniform> camera: Camera;

@@ -8,4 +8,4 @@ struct Clock {
     padding: vec2u,
 }
 
-@group(0) @binding(18) var<uniform> clock: Clock;
+var<uniform> clock: Clock;

@@ -6,4 +6,4 @@ struct Environment {
     light_count: u32,
 }
 
-@group(0) @binding(17) var<uniform> environment: Environment;
+var<uniform> environment: Environment;

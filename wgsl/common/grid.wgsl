@@ -18,7 +18,7 @@ struct Grid {
     level_words: array<vec4u, 4>,
 }
 
-@group(0) @binding(16) var<uniform> grid: Grid;
+var<uniform> grid: Grid;
 
 fn to_voxel(position: vec3f) -> vec3f {
     return (position - grid.min) / grid.voxel_size;

@@ -16,10 +16,10 @@ struct Material {
     emission_layer: i32,
 }
 
-@group(0) @binding(3) var<storage, read> materials: array<Material>;
-@group(0) @binding(5) var color_textures: texture_2d_array<f32>;
-@group(0) @binding(6) var data_textures: texture_2d_array<f32>;
-@group(0) @binding(7) var material_sampler: sampler;
+var<storage, read> materials: array<Material>;
+var color_textures: texture_2d_array<f32>;
+var data_textures: texture_2d_array<f32>;
+var material_sampler: sampler;
 
 // Left out of a pipeline whose scene has no such material.
 override HAS_TEXTURES: bool = true;

@@ -3,10 +3,10 @@
 import package::common::camera::camera;
 import package::common::grid::to_voxel;
 
-@group(0) @binding(11) var albedo: texture_2d<f32>;
-@group(0) @binding(12) var normal: texture_2d<f32>;
-@group(0) @binding(13) var geometry: texture_2d<f32>;
-@group(0) @binding(14) var depth: texture_depth_2d;
+var albedo: texture_2d<f32>;
+var normal: texture_2d<f32>;
+var geometry: texture_2d<f32>;
+var depth: texture_depth_2d;
 
 struct Surface {
     // World units, relative to the grid's centre; and the same in voxels.

@@ -3,7 +3,7 @@
 import package::common::grid::{brick_count, level_first_word};
 import package::common::voxels::occupancy;
 
-@group(1) @binding(11) var<storage, read> occupancy_before: array<u32>;
+var<storage, read> occupancy_before: array<u32>;
 
 // `index` counts the level's words.
 fn vacated_bits(index: u32, level: u32) -> u32 {

@@ -14,13 +14,13 @@ struct Params {
     ao_weight: f32,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
-@group(3) @binding(2) var shadow: texture_2d_array<f32>;
-@group(3) @binding(3) var ao: texture_2d_array<f32>;
-@group(3) @binding(4) var diffuse: texture_2d_array<f32>;
-@group(3) @binding(5) var specular: texture_2d_array<f32>;
-@group(3) @binding(6) var emission: texture_2d<f32>;
+var<uniform> params: Params;
+var image: texture_storage_2d_array<rgba16float, write>;
+var shadow: texture_2d_array<f32>;
+var ao: texture_2d_array<f32>;
+var diffuse: texture_2d_array<f32>;
+var specular: texture_2d_array<f32>;
+var emission: texture_2d<f32>;
 
 override HAS_SHADOW: bool = true;
 override HAS_AO: bool = true;

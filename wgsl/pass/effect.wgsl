@@ -5,7 +5,7 @@ import package::common::turn::turn_at;
 import package::effect::{Params, effect};
 import package::texel::{image, store_texel};
 
-@group(3) @binding(0) var<uniform> params: Params;
+var<uniform> params: Params;
 
 // Whether the texels of a tile of 4 × 4 share out the directions; `interleave` then takes their mean.
 override INTERLEAVE: bool = false;

@@ -3,8 +3,8 @@
 
 import package::common::surface::{screen_pixel, surface_load};
 
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
-@group(3) @binding(7) var interleaved: texture_2d_array<f32>;
+var image: texture_storage_2d_array<rgba16float, write>;
+var interleaved: texture_2d_array<f32>;
 
 // Another pixel's surface is the same one where it lies this near to the plane, in voxels, and its normal's cosine
 // with this one's is at least so much.

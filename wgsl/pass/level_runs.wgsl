@@ -3,8 +3,8 @@
 import package::common::grid::{grid, level_first_word, LevelRun};
 import package::common::dispatch::dispatch_groups;
 
-@group(1) @binding(1) var<storage, read> ranks: array<u32>;
-@group(1) @binding(3) var<storage, read_write> levels: array<LevelRun>;
+var<storage, read> ranks: array<u32>;
+var<storage, read_write> levels: array<LevelRun>;
 
 @compute @workgroup_size(16)
 fn main(@builtin(local_invocation_index) level: u32) {

@@ -19,8 +19,8 @@ struct Params {
     parts: u32,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(1) @binding(5) var<storage, read_write> direct: array<vec4f>;
+var<uniform> params: Params;
+var<storage, read_write> direct: array<vec4f>;
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;

@@ -3,9 +3,9 @@
 import package::common::grid::{grid, brick_at, level_first_word, bit_offset, pack_cell};
 import package::common::dispatch::dispatch_index;
 
-@group(1) @binding(0) var<storage, read> occupancy: array<u32>;
-@group(1) @binding(1) var<storage, read> ranks: array<u32>;
-@group(1) @binding(2) var<storage, read_write> cells: array<u32>;
+var<storage, read> occupancy: array<u32>;
+var<storage, read> ranks: array<u32>;
+var<storage, read_write> cells: array<u32>;
 
 fn list_word(word: u32) {
     var level = 0u;

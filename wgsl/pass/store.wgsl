@@ -5,9 +5,9 @@ import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::format::store::voxel_store;
 
-@group(1) @binding(6) var<storage, read> slot_radiance: array<vec4f>;
+var<storage, read> slot_radiance: array<vec4f>;
 // What the voxels reflect of gathered emission and sky, beside it.
-@group(1) @binding(7) var<storage, read> emitted: array<vec4f>;
+var<storage, read> emitted: array<vec4f>;
 override HAS_EMITTED: bool = false;
 
 @compute @workgroup_size(64)

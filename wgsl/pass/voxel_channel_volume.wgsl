@@ -8,7 +8,7 @@ import package::common::step::step_params;
 import package::common::voxels::{level_cell, levels};
 import package::format::sample::voxel_sample;
 
-@group(1) @binding(6) var<storage, read_write> shown_voxels: array<ShownVoxel>;
+var<storage, read_write> shown_voxels: array<ShownVoxel>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

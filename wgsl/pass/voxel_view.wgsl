@@ -8,8 +8,8 @@ import package::common::surface::camera_ray;
 import package::common::voxel_hit::first_voxel;
 import package::common::voxels::cell_rank;
 
-@group(1) @binding(6) var<storage, read> shown_voxels: array<ShownVoxel>;
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+var<storage, read> shown_voxels: array<ShownVoxel>;
+var image: texture_storage_2d_array<rgba16float, write>;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -2,7 +2,7 @@
 
 import package::common::range::in_half_range;
 
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+var image: texture_storage_2d_array<rgba16float, write>;
 
 fn store_texel(texel: vec2u, layer: u32, value: vec4f) {
     textureStore(image, texel, layer, vec4f(in_half_range(value.rgb), value.a));

@@ -1,6 +1,6 @@
 // Texels of an image that a shader writes. Four shares of 1, 8 bits each.
 
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba8unorm, write>;
+var image: texture_storage_2d_array<rgba8unorm, write>;
 
 fn store_texel(texel: vec2u, layer: u32, value: vec4f) {
     textureStore(image, texel, layer, value);

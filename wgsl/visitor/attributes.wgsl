@@ -10,7 +10,7 @@ import package::common::reflectance::total_reflectance;
 import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
 
-@group(1) @binding(4) var<storage, read_write> attributes: array<atomic<u32>>;
+var<storage, read_write> attributes: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_COVERAGE: bool = false;

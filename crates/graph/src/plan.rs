@@ -342,9 +342,9 @@ pub struct Program {
 /// One variable of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bind {
-    /// `@group`.
+    /// The `@group` that the linker gave it.
     pub group: u32,
-    /// `@binding`.
+    /// The `@binding` that the linker gave it.
     pub binding: u32,
     /// The variable's name in WGSL.
     pub name: String,

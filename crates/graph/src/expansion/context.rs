@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 use voxlume_fault::Faults;
-use voxlume_format::Formats;
+use voxlume_format::{Formats, StorageFormat};
 use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
 
 use crate::bundle::Bundle;
@@ -160,7 +160,11 @@ impl<'a> Context<'a> {
 
     /// Whether a variable belongs to a storage format's module and, with the options chosen, to none of its volumes.
     pub fn is_idle_volume(&self, binding: &Binding) -> bool {
-        binding.group == 2 && !self.default_storage.volumes().iter().any(|volume| volume.name == binding.name)
+        let is_in =
+            |folder: &str| binding.module.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
+        let of_format = self.formats.iter().map(StorageFormat::modules).any(is_in);
+        (of_format || is_in(self.default_storage.modules()))
+            && !self.default_storage.volumes().iter().any(|volume| volume.name == binding.name)
     }
 
     /// The grid that a voxelization describes: the pipeline's if it says nothing.
