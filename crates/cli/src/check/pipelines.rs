@@ -56,6 +56,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         spot: 1,
         polygons,
         emissive: true,
+        emission_max: 1.0,
         textured: true,
         texture_layers: [1, 2],
         texture_size: 64,
