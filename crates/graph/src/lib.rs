@@ -28,7 +28,7 @@ pub use expansion::{Expansion, Over, Run, screen_image};
 pub use explain::explain;
 pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
 pub use grid::{Extent, Grid, fixed_point_scale};
-pub use pass::{DEFAULT_METHOD, Kinds, ParamWords, PassKind, Port, Sort, Unread, Values};
+pub use pass::{DEFAULT_METHOD, Idle, Kinds, ParamWords, PassKind, Port, Sort, Unread, Values};
 pub use pipeline::{ImageWords, Located, Param, PassEntry, Pipeline, Value};
 pub use plan::{
     Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,

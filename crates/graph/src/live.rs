@@ -33,7 +33,7 @@ fn idle(entry: &PassEntry, context: &Context<'_>) -> Option<String> {
     let condition =
         entry.when.as_ref().and_then(|when| CONDITIONS.iter().find(|(word, ..)| *word == when.value));
     let unmet = condition.filter(|(_, _, holds)| !holds(context.facts, context.area_lights));
-    let idle = || context.kinds.of(entry).idle(entry);
+    let idle = || context.kinds.idle(entry).map(|idle| idle.why);
     unmet.map(|(_, why, _)| *why).or_else(idle).map(str::to_owned)
 }
 

@@ -23,9 +23,10 @@ pub use voxlume_format::{
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Program,
-    Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Value, check_variant, explain,
-    plan, probe,
+    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds, LeftOut, Life, Over,
+    ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline, Plan, Port, ProbeSize, Program, Request,
+    Resource, ResourceKind, Run, SceneFacts, Sort, Sources, Step, Target, Unread, Update, Value, Values, Vertices,
+    check_variant, explain, plan, plan_with, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -1,7 +1,7 @@
 //! Further bounces.
 
 use super::volume::{gather, store_and_mipmap};
-use super::{ParamWords, PassKind, Port, Sort, Values};
+use super::{Idle, ParamWords, PassKind, Port, Sort, Values};
 use crate::expansion::Expansion;
 use crate::pass::light::RADIANCE;
 use crate::pipeline::{PassEntry, Value};
@@ -40,8 +40,9 @@ impl PassKind for Bounce {
         &[ParamWords { name: "bounces", sentence: "how many times", values: Values::Whole(0, 16) }]
     }
 
-    fn idle(&self, entry: &PassEntry) -> Option<&'static str> {
-        (entry.param("bounces") == Some(&Value::Number(0.0))).then_some("`bounces` is 0")
+    fn idle(&self, entry: &PassEntry) -> Option<Idle> {
+        let none = entry.param("bounces") == Some(&Value::Number(0.0));
+        none.then_some(Idle { why: "`bounces` is 0", unless: ("bounces", 1.0) })
     }
 
     fn expand(&self, pass: &mut Expansion<'_, '_>) {

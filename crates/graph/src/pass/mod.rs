@@ -19,7 +19,8 @@ pub use voxelize::DEFAULT_METHOD;
 pub(crate) use voxelize::attribute_stride;
 
 use crate::expansion::Expansion;
-use crate::pipeline::PassEntry;
+use crate::entries::images;
+use crate::pipeline::{PassEntry, Pipeline};
 
 /// A kind of pass: what it takes, what it makes, when it is left out, and how it becomes steps.
 ///
@@ -50,7 +51,7 @@ pub trait PassKind: Debug + Send + Sync {
     }
 
     /// Why an entry has nothing to do, whatever the scene.
-    fn idle(&self, _entry: &PassEntry) -> Option<&'static str> {
+    fn idle(&self, _entry: &PassEntry) -> Option<Idle> {
         None
     }
 
@@ -121,6 +122,15 @@ impl Port {
     pub const fn optional(name: &'static str, sort: Sort, sentence: &'static str) -> Port {
         Port { name, sort, sentence, optional: true }
     }
+}
+
+/// That an entry has nothing to do, by a parameter of its kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Idle {
+    /// Why.
+    pub why: &'static str,
+    /// The parameter, and a value with which it would have.
+    pub unless: (&'static str, f64),
 }
 
 /// A read port that is not looked at.
@@ -194,6 +204,16 @@ impl Kinds {
     /// All of them.
     pub fn iter(&self) -> impl Iterator<Item = &dyn PassKind> {
         self.0.iter().map(Arc::as_ref)
+    }
+
+    /// Every image of a pipeline that can be its output: first those that have a name of their own.
+    pub fn images<'p>(&'p self, pipeline: &'p Pipeline) -> Vec<&'p str> {
+        images(pipeline, self)
+    }
+
+    /// Why an entry has nothing to do, whatever the scene.
+    pub fn idle(&self, entry: &PassEntry) -> Option<Idle> {
+        self.of(entry).idle(entry)
     }
 
     /// The kind of an entry: what names no kind runs an effect.
