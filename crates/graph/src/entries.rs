@@ -47,6 +47,14 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
                 "`interleave` takes the mean of rgba16float",
             ));
         }
+        for read in pass.reads.iter().filter(|read| read.value.ends_with(LAST)) {
+            let name = read.value.trim_end_matches(LAST);
+            let sort = sorts.get(name).filter(|sort| **sort != Sort::IMAGE && sort.images.is_empty());
+            if let Some(sort) = sort {
+                let label = format!("only images have one; this is of the sort `{}`", sort.name);
+                faults.push(pipeline.fault(&read.span, format!("`{name}` has no last value"), label));
+            }
+        }
         match kinds.get(run) {
             Some(kind) => check_ports(pipeline, pass, kind, &sorts, faults),
             None if pass.writes.len() != 1 => {
@@ -99,9 +107,10 @@ fn check_ports(
     let mut surplus = |word: &str, name: &Located<String>, ports: &[Port]| {
         let message = format!("pass `{}` can't {word} `{}`", pass.name, name.value);
         let mut label = suggest(&name.value, ports.iter().map(|port| port.name));
-        let images: Vec<_> = ports.iter().filter(|port| port.sort == Sort::IMAGE).collect();
-        if word == "read" && !images.is_empty() && sorts.get(&name.value) == Some(&Sort::IMAGE) {
-            label = format!("as which image? `{} as {}`; {label}", name.value, images[0].name);
+        let open = |port: &&Port| port.sort == Sort::IMAGE && read_of(sorts, pass, kind, port.name).is_none();
+        let open = ports.iter().find(|port| open(port) && !port.optional).or(ports.iter().find(open));
+        if let (true, Some(port)) = (sorts.get(&name.value) == Some(&Sort::IMAGE), open) {
+            label = format!("say as which image: `{} as {}`; {label}", name.value, port.name);
         }
         faults.push(pipeline.fault(&name.span, message, label));
     };

@@ -103,11 +103,6 @@ impl<'a> Context<'a> {
         self.resources.iter().position(|resource| resource.name == name)
     }
 
-    /// Has a resource keep the value before its last writing as well.
-    pub fn keep_last(&mut self, resource: usize) {
-        self.resources[resource].life = Life::History;
-    }
-
     /// The name that an entry reads for a port of its kind: the one that it calls so, or the only one of the port's sort.
     pub fn read_of<'e>(&self, entry: &'e PassEntry, kind: &dyn PassKind, port: &str) -> Option<&'e str> {
         read_of(&self.sorts, entry, kind, port)

@@ -17,7 +17,9 @@ use crate::grid::Grid;
 use crate::params::{Params, words};
 use crate::pass::{PassKind, Sort};
 use crate::pipeline::PassEntry;
-use crate::plan::{Bind, ImageExtent, ImageTexel, LeftOut, ParamSlot, Program, ResourceKind, Step, Target};
+use crate::plan::{
+    Bind, ImageExtent, ImageTexel, LeftOut, Life, ParamSlot, Program, ResourceKind, Step, Target,
+};
 use crate::storage::Storage;
 
 /// Bytes of a `LevelRun` in wgsl/common/grid.wgsl.
@@ -354,6 +356,12 @@ impl Expansion<'_, '_> {
         if optional || guarded || left_out {
             return Some(Target::Nothing);
         }
+        // What is not made for a fault of its own is no fault of the reader's.
+        let named = self.entry.reads.iter().chain(&self.entry.updates);
+        let mut named = named.map(|name| name.value.trim_end_matches(LAST));
+        if named.any(|name| !self.context.bundles.contains_key(name)) && !self.context.faults.is_empty() {
+            return None;
+        }
         let group = self.context.owner_of(name).unwrap_or(name).to_owned();
         let message = format!("pass `{}` uses `{group}` without reading it", self.entry.name);
         let label = format!("its shader's variable `{name}` needs `{group}` in `reads`");
@@ -375,16 +383,18 @@ impl Expansion<'_, '_> {
             let Some(bundle) = self.context.bundles.get(name) else { continue };
             let alias = entry.alias(&read.value);
             let found = bundle.parts().iter().find_map(|(part, target)| {
-                let own = if part == name { alias.as_str() } else { part.as_str() };
-                let called =
-                    if last { format!("{}_last", own.trim_end_matches(LAST)) } else { own.to_owned() };
+                let called = match (part == name, last) {
+                    (true, _) => alias.clone(),
+                    (false, true) => format!("{part}_last"),
+                    (false, false) => part.clone(),
+                };
                 (called == variable).then(|| target.clone())
             });
             if let Some(target) = found {
                 self.used.insert(read.value.clone());
                 return Some(match (last, target) {
                     (true, Target::Resource(index)) => {
-                        self.context.keep_last(index);
+                        self.context.resources[index].life = Life::History;
                         Target::Last(index)
                     }
                     (_, target) => target,

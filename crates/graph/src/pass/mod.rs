@@ -18,8 +18,8 @@ use std::sync::Arc;
 pub use voxelize::DEFAULT_METHOD;
 pub(crate) use voxelize::attribute_stride;
 
-use crate::expansion::Expansion;
 use crate::entries::images;
+use crate::expansion::Expansion;
 use crate::pipeline::{PassEntry, Pipeline};
 
 /// A kind of pass: what it takes, what it makes, when it is left out, and how it becomes steps.
