@@ -3,7 +3,7 @@
 use voxlume::{Picture, Scene, Value};
 
 use super::{Figure, Figures};
-use crate::failure::Failure;
+use crate::Error;
 use crate::stability::bench::{Bench, images, volumes};
 
 /// Everything that the pipeline has: every effect, and a bounce.
@@ -31,7 +31,7 @@ pub fn not_finite(picture: &Picture) -> usize {
     picture.pixels.iter().flatten().filter(|value| !value.is_finite()).count()
 }
 
-fn count(bench: &Bench<'_>, scene: &Scene, size: [u32; 2]) -> Result<usize, Failure> {
+fn count(bench: &Bench<'_>, scene: &Scene, size: [u32; 2]) -> Result<usize, Error> {
     let renderer = bench.render_at(bench.resolution, size, scene, "final", &ALL)?;
     let mut count = 0;
     for name in images(&renderer) {

@@ -7,7 +7,7 @@ use exr::prelude::{Encoding, Image, Layer, LayerAttributes, SpecificChannels, Wr
 use image::{ImageFormat, RgbImage};
 use voxlume::{Fault, Picture, one_of};
 
-use crate::failure::Failure;
+use crate::Error;
 use crate::tone::{reinhard, srgb};
 
 /// A kind of picture file.
@@ -33,12 +33,12 @@ impl Kind {
     }
 
     /// The whole file's bytes. `name` is the image in the pipeline; `scale` multiplies light in a PNG.
-    pub fn encode(self, picture: &Picture, name: &str, scale: f32) -> Result<Vec<u8>, Failure> {
+    pub fn encode(self, picture: &Picture, name: &str, scale: f32) -> Result<Vec<u8>, Error> {
         let mut bytes = Cursor::new(Vec::new());
         match self {
             Kind::Png => {
                 let image = RgbImage::from_raw(picture.width, picture.height, shown(picture, name, scale))
-                    .ok_or_else(|| Failure::work("a picture of another size than its pixels"))?;
+                    .ok_or_else(|| Error::work("a picture of another size than its pixels"))?;
                 image.write_to(&mut bytes, ImageFormat::Png).map_err(failed)?;
             }
             Kind::Exr => {
@@ -62,8 +62,8 @@ impl Kind {
     }
 }
 
-fn failed(error: impl std::fmt::Display) -> Failure {
-    Failure::work(format!("cannot encode the picture: {error}"))
+fn failed(error: impl std::fmt::Display) -> Error {
+    Error::work(format!("cannot encode the picture: {error}"))
 }
 
 /// A picture for the eye, three bytes a pixel, as in a PNG.

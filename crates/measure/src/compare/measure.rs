@@ -5,7 +5,7 @@ use std::time::Instant;
 use voxlume::{Camera, Error, Gpu, Passes, Picture, Plan, Renderer, ResourceKind, Scene};
 use voxlume_report::{OutOfRange, Pass};
 
-use crate::timing::Frames;
+use crate::Frames;
 
 /// What a plan made and cost.
 pub struct Measured {

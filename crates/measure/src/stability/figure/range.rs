@@ -3,7 +3,7 @@
 use voxlume::{Scene, Value};
 
 use super::{Figure, Figures};
-use crate::failure::Failure;
+use crate::Error;
 use crate::stability::bench::{Bench, grey};
 
 /// What comes of an emission over that emission, beside the same for 1.
@@ -12,7 +12,7 @@ pub fn range(bench: &Bench<'_>, scene: &Scene) -> Figures {
         let mut scene = scene.clone();
         scene.materials.iter_mut().for_each(|material| material.emission *= radiance as f32);
         let set = [("light", "emission", Value::Word("gather".into()))];
-        Ok::<f64, Failure>(grey(&bench.image(&scene, "diffuse", &set)?) / radiance)
+        Ok::<f64, Error>(grey(&bench.image(&scene, "diffuse", &set)?) / radiance)
     };
     let one = relative(1.0)?;
     let figure = |radiance: f64| {

@@ -1,33 +1,30 @@
 //! The sweep: cell after cell.
 
-use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use voxlume::{Fault, Gpu, Pipeline, Plan, Request};
+use voxlume::{Gpu, Plan, Request};
 use voxlume_reference::cache::Key;
 use voxlume_reference::{Error as TracerError, PixelSampling, Reflection};
-use voxlume_report::{Outcome, Results, Row, SCHEMA, against, csv, page, table, utc_now};
+use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, utc_now};
 
-use super::Args;
+use super::Sweep;
 use super::cell::{Cell, Subject, cells};
 use super::folder::{Finished, Folder, Pictures};
 use super::measure::measure;
 use super::report::judge;
 use super::truth::Truths;
 use crate::effect::bounces;
-use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::{Registry, devices, interrupt, pipeline};
+use crate::{Error, Progress, Registry, describe};
 
 /// What cells need.
-struct Sweep<'a> {
-    args: &'a Args,
-    registry: &'a Registry,
-    pipeline: Pipeline,
+struct Run<'a> {
+    sweep: &'a Sweep<'a>,
     subjects: Vec<Subject>,
     folder: Folder,
     truths: Truths,
     gpu: Gpu,
-    progress: Progress,
+    progress: &'a mut dyn Progress,
+    stop: &'a AtomicBool,
 }
 
 /// What became of a cell.
@@ -37,35 +34,26 @@ enum End {
 }
 
 /// Runs all cells and writes the report.
-pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    interrupt::wish();
-    let pipeline = pipeline::load(&args.pipeline)?;
-    let mut progress = Progress::new();
-    progress.stage("loading".into());
-    let baseline = args.baseline.as_deref().map(baseline).transpose()?;
-    let (subjects, cells) = cells(args, registry, &pipeline)?;
-    let folder = Folder::new(&args.out)?;
-    let gpu = Gpu::open(args.adapter.as_deref())?;
-    let device = devices::describe(&gpu.info);
+pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) -> Result<Results, Error> {
+    let (subjects, cells) = cells(sweep)?;
+    let folder = Folder::new(&sweep.folder)?;
+    let gpu = Gpu::open(sweep.adapter.as_deref())?;
+    let device = describe(&gpu.info);
     let truths = Truths::new(&folder.cache());
-    let mut sweep = Sweep { args, registry, pipeline, subjects, folder, truths, gpu, progress };
+    let mut run = Run { sweep, subjects, folder, truths, gpu, progress, stop };
 
     let mut results = Results { schema: SCHEMA, device, rows: Vec::new() };
     let mut pictures = Vec::new();
     for (number, cell) in cells.iter().enumerate() {
-        let stem = cell.stem(&sweep.subjects);
+        let stem = cell.stem(&run.subjects);
         let place = format!("cell {}/{}: {stem}", number + 1, cells.len());
-        let outcome = match if interrupt::wished() {
+        let outcome = match if stop.load(Ordering::Relaxed) {
             Ok(End::Interrupted)
         } else {
-            sweep.cell(cell, &stem, &place)
+            run.cell(cell, &stem, &place)
         } {
             Ok(End::Interrupted) => {
-                let (finished, all) = (results.rows.len(), cells.len());
-                let out = args.out.display();
-                return Err(Failure::work(format!(
-                    "interrupted: {finished} of {all} cells are finished and kept in `{out}`; the same command goes on from there"
-                )));
+                return Err(Error::Interrupted { finished: results.rows.len(), all: cells.len() });
             }
             Ok(End::Finished(finished)) => {
                 pictures.push((results.rows.len(), finished.pictures));
@@ -74,49 +62,30 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
             }
             Err(failure) => Outcome::Failed { fault: failure.to_string() },
         };
-        results.rows.push(sweep.row(cell, outcome));
+        results.rows.push(run.row(cell, outcome));
         // Later cells get a device that works.
-        if sweep.gpu.check().is_err() {
-            sweep.gpu = Gpu::open(args.adapter.as_deref())?;
+        if run.gpu.check().is_err() {
+            run.gpu = Gpu::open(sweep.adapter.as_deref())?;
         }
     }
-    sweep.write(&results, &pictures)?;
-    drop(sweep);
-    crate::print(&table(&results))?;
-    if let Some(baseline) = baseline {
-        crate::print(&format!("\nsince the baseline:\n{}", against(&results, &baseline)))?;
-    }
-    let failed = results.rows.iter().filter(|row| matches!(row.outcome, Outcome::Failed { .. })).count();
-    match failed {
-        0 => Ok(()),
-        _ => Err(Failure::work(format!(
-            "{failed} of {} cells failed; results.json says why",
-            results.rows.len()
-        ))),
-    }
+    run.write(&results, &pictures)?;
+    Ok(results)
 }
 
-/// Reads the results of another time.
-fn baseline(path: &Path) -> Result<Results, Fault> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| Fault::new(format!("cannot read `{}`: {error}", path.display())))?;
-    Results::parse(&text).map_err(|error| Fault::new(format!("`{}`: {error}", path.display())))
-}
-
-impl Sweep<'_> {
+impl Run<'_> {
     /// A cell as it lies in the folder, or else made now and put there.
-    fn cell(&mut self, cell: &Cell, stem: &str, place: &str) -> Result<End, Failure> {
+    fn cell(&mut self, cell: &Cell, stem: &str, place: &str) -> Result<End, Error> {
         let plan = self.plan(cell)?;
         let subject = &self.subjects[cell.subject];
-        let bounces = bounces(&self.pipeline);
+        let bounces = bounces(self.sweep.pipeline);
         let request = voxlume_reference::Request {
             camera: subject.camera.clone(),
-            width: self.args.size[0],
-            height: self.args.size[1],
-            samples: self.args.spp,
+            width: self.sweep.size[0],
+            height: self.sweep.size[1],
+            samples: self.sweep.samples,
             seed: 0,
             sampling: PixelSampling::Centre,
-            quantity: cell.effect.quantity(&self.pipeline, &plan, &subject.scene, bounces)?,
+            quantity: cell.effect.quantity(self.sweep.pipeline, &plan, &subject.scene, bounces)?,
             reflection: Reflection::Gltf,
         };
         let truth_key = Key::new(&subject.digest, &request).to_hex();
@@ -125,13 +94,13 @@ impl Sweep<'_> {
             self.progress.repeated(format!("{place} is there"));
             return Ok(End::Finished(Box::new(finished)));
         }
-        let truth = match self.truths.get(&self.subjects, cell.subject, &request, &mut self.progress) {
+        let truth = match self.truths.get(&self.subjects, cell.subject, &request, self.progress, self.stop) {
             Ok(truth) => truth,
             Err(TracerError::Cancelled) => return Ok(End::Interrupted),
-            Err(error) => return Err(Failure::work(error.to_string())),
+            Err(error) => return Err(Error::work(error.to_string())),
         };
         self.progress.stage(place.to_owned());
-        let measured = measure(&self.gpu, plan, &subject.scene, &subject.camera, self.args.repeat)?;
+        let measured = measure(&self.gpu, plan, &subject.scene, &subject.camera, self.sweep.repeat)?;
         let judged = judge(cell.effect, &measured, truth)?;
         let outcome = Outcome::Measured {
             passes: measured.passes,
@@ -159,23 +128,23 @@ impl Sweep<'_> {
         Ok(End::Finished(Box::new(finished)))
     }
 
-    fn plan(&self, cell: &Cell) -> Result<Plan, Failure> {
+    fn plan(&self, cell: &Cell) -> Result<Plan, Error> {
         let request = Request {
             format: Some(cell.format.clone()),
             encoding: Some(cell.encoding.clone()),
             resolution: Some(cell.resolution),
-            output: cell.effect.image(&self.pipeline).map(str::to_owned),
+            output: cell.effect.image(self.sweep.pipeline).map(str::to_owned),
             filters_float32: self.gpu.filters_float32(),
-            ..Request::image(self.args.size[0], self.args.size[1])
+            ..Request::image(self.sweep.size[0], self.sweep.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let Registry { formats, library } = self.registry;
-        voxlume::plan(&self.pipeline, facts, formats, library, &request).map_err(Failure::from)
+        let Registry { formats, library } = self.sweep.registry;
+        voxlume::plan(self.sweep.pipeline, facts, formats, library, &request).map_err(Error::from)
     }
 
     /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.
     fn key(&self, plan: &Plan, truth_key: &str) -> String {
-        let device = devices::describe(&self.gpu.info);
+        let device = describe(&self.gpu.info);
         let Plan { format, encoding, grid, screen, passes, resources, shaders, .. } = plan;
         let mut hash = blake3::Hasher::new();
         let mut part = |text: &str| {
@@ -183,7 +152,7 @@ impl Sweep<'_> {
             hash.update(text.as_bytes());
         };
         part(concat!("cell 1 of voxlume ", env!("CARGO_PKG_VERSION")));
-        part(&format!("{device:?} {}", self.args.repeat));
+        part(&format!("{device:?} {}", self.sweep.repeat));
         part(truth_key);
         part(&format!("{format} {encoding:?} {grid:?} {screen:?} {passes:?} {resources:?}"));
         shaders.iter().for_each(|shader| part(&shader.wgsl));
@@ -197,24 +166,24 @@ impl Sweep<'_> {
             format: cell.format.clone(),
             encoding: cell.encoding.clone(),
             resolution: cell.resolution,
-            width: self.args.size[0],
-            height: self.args.size[1],
+            width: self.sweep.size[0],
+            height: self.sweep.size[1],
             outcome,
         }
     }
 
-    fn write(&mut self, results: &Results, pictures: &[(usize, Pictures)]) -> Result<(), Failure> {
+    fn write(&mut self, results: &Results, pictures: &[(usize, Pictures)]) -> Result<(), Error> {
         self.progress.stage("writing the report".into());
         let mut strips = Vec::new();
         for (row, pictures) in pictures {
             strips.push(self.folder.strip(*row, pictures)?);
         }
-        let [width, height] = self.args.size;
+        let [width, height] = self.sweep.size;
         let subtitle = format!(
             "{width} × {height} pixels; reference of {} samples a pixel; medians of {} frames",
-            self.args.spp, self.args.repeat
+            self.sweep.samples, self.sweep.repeat
         );
-        let json = results.to_json().map_err(|error| Failure::work(error.to_string()))?;
+        let json = results.to_json().map_err(|error| Error::work(error.to_string()))?;
         let html = page(results, &strips, &utc_now(), &subtitle);
         self.folder.write(vec![("results.json", json), ("results.csv", csv(results)), ("report.html", html)])
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use voxlume::Fault;
 
-use crate::failure::Failure;
+use crate::Error;
 
 /// A file to be written.
 #[derive(Debug)]
@@ -54,7 +54,7 @@ pub fn distinct<'f>(files: impl IntoIterator<Item = &'f OutFile>) -> Result<(), 
 }
 
 /// Writes all the files, or none: each under another name in its folder first, then all are renamed.
-pub fn write(files: &[(OutFile, Vec<u8>)]) -> Result<(), Failure> {
+pub fn write(files: &[(OutFile, Vec<u8>)]) -> Result<(), Error> {
     let written = files.iter().try_for_each(|(file, bytes)| {
         let store = || {
             let mut open = File::create_new(&file.temporary)?;
@@ -73,7 +73,7 @@ pub fn write(files: &[(OutFile, Vec<u8>)]) -> Result<(), Failure> {
             // What was renamed is gone already.
             let _ = fs::remove_file(&file.temporary);
         }
-        Failure::work(format!("cannot write `{}`: {error}", file.path.display()))
+        Error::work(format!("cannot write `{}`: {error}", file.path.display()))
     })
 }
 

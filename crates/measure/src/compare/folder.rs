@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use voxlume::Fault;
 use voxlume_report::{Row, Strip};
 
-use crate::failure::Failure;
+use crate::Error;
 use crate::outfile::{self, OutFile};
 
 /// The folder of a sweep: `cells`, `images`, `cache`, and the report.
@@ -33,7 +33,7 @@ pub struct Pictures {
 
 impl Folder {
     /// Makes what is missing of the folder.
-    pub fn new(path: &Path) -> Result<Folder, Failure> {
+    pub fn new(path: &Path) -> Result<Folder, Error> {
         for part in ["cells", "images"] {
             let folder = path.join(part);
             let cannot =
@@ -64,23 +64,23 @@ impl Folder {
         stem: &str,
         finished: &Finished,
         images: Vec<(String, Vec<u8>)>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Error> {
         let mut files = Vec::new();
         for (name, bytes) in images {
             files.push((OutFile::new(&self.image(&name))?, bytes));
         }
         outfile::write(&files)?;
-        let text = serde_json::to_vec_pretty(finished).map_err(|error| Failure::work(error.to_string()))?;
+        let text = serde_json::to_vec_pretty(finished).map_err(|error| Error::work(error.to_string()))?;
         let cell = self.0.join("cells").join(format!("{stem}.json"));
         outfile::write(&[(OutFile::new(&cell)?, text)])
     }
 
     /// A finished cell's pictures, for the page.
-    pub fn strip(&self, row: usize, pictures: &Pictures) -> Result<Strip, Failure> {
+    pub fn strip(&self, row: usize, pictures: &Pictures) -> Result<Strip, Error> {
         let read = |name: &str| {
             let path = self.image(name);
             std::fs::read(&path)
-                .map_err(|error| Failure::work(format!("cannot read `{}`: {error}", path.display())))
+                .map_err(|error| Error::work(format!("cannot read `{}`: {error}", path.display())))
         };
         let Pictures { image, reference, error, error_scale } = pictures;
         Ok(Strip {
@@ -93,7 +93,7 @@ impl Folder {
     }
 
     /// Writes the report's files, all or none.
-    pub fn write(&self, files: Vec<(&str, String)>) -> Result<(), Failure> {
+    pub fn write(&self, files: Vec<(&str, String)>) -> Result<(), Error> {
         let mut out = Vec::new();
         for (name, text) in files {
             out.push((OutFile::new(&self.0.join(name))?, text.into_bytes()));

@@ -4,8 +4,7 @@ use voxlume::{Fault, Pipeline, Plan, Scene, SceneFacts, Value};
 use voxlume_reference::{Gather, Panel, Quantity};
 
 /// What is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-#[value(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// Visibility of the first light.
     SoftShadow,

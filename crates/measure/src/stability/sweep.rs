@@ -1,20 +1,17 @@
 //! Case after case.
 
-use voxlume::{Encoding, Fault, Faults, Gpu, Grid, Pipeline};
-use voxlume_fault::suggest;
-use voxlume_report::{Stability, StabilityRow, stability_page, utc_now};
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::Args;
+use voxlume::{Encoding, Fault, Faults, Gpu, Grid};
+use voxlume_fault::suggest;
+use voxlume_report::{Stability, StabilityRow};
+
 use super::bench::{Bench, scene};
 use super::cases::{CASES, Case, Measure, REFUSED};
 use super::figure::Figures;
-use super::misses;
-use crate::failure::Failure;
-use crate::outfile::{self, OutFile};
-use crate::progress::Progress;
-use crate::table::Table;
+use super::{Ran, Suite, misses};
 use crate::words::words;
-use crate::{Registry, devices, interrupt, pipeline};
+use crate::{Error, Progress, describe};
 
 /// One case in one setting.
 struct Cell {
@@ -24,33 +21,19 @@ struct Cell {
     resolution: u32,
 }
 
-fn all() -> impl Iterator<Item = &'static Case> {
+/// Every case.
+pub fn all() -> impl Iterator<Item = &'static Case> {
     CASES.iter().chain(&REFUSED)
 }
 
-/// Lists the cases.
-pub fn list() -> Result<(), Failure> {
-    let mut table = Table::new(["case", "what should hold", "scene"]);
-    for case in all() {
-        table.row([case.name.into(), case.property.into(), case.scene.0.into()]);
-    }
-    crate::print(&table.to_string())
-}
-
 /// Runs the cases asked for, and tells of them.
-pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    interrupt::wish();
-    let cells = cells(args, registry)?;
-    let json = args.json.as_deref().map(OutFile::new).transpose()?;
-    let html = args.html.as_deref().map(OutFile::new).transpose()?;
-    outfile::distinct(json.iter().chain(&html))?;
-    let pipeline = pipeline::load("gi")?;
-    let mut gpu = Gpu::open(args.adapter.as_deref())?;
-    let mut stability = Stability::new(devices::describe(&gpu.info));
-    let mut progress = Progress::new();
+pub fn run(suite: &Suite<'_>, progress: &mut dyn Progress, stop: &AtomicBool) -> Result<Ran, Error> {
+    let cells = cells(suite)?;
+    let mut gpu = Gpu::open(suite.adapter.as_deref())?;
+    let mut stability = Stability::new(describe(&gpu.info));
     let mut done = 0;
     for (number, cell) in cells.iter().enumerate() {
-        if interrupt::wished() {
+        if stop.load(Ordering::Relaxed) {
             break;
         }
         let Cell { case, format, encoding, resolution } = cell;
@@ -61,67 +44,47 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
         } else {
             progress.repeated(place);
         }
-        let figures = measure(cell, registry, &gpu, &pipeline, args.size);
+        let figures = measure(cell, suite, &gpu);
         // What is wrong with the shaders mostly shows at once; no need to tell it of every cell.
         let figures = match figures {
-            Err(failure @ Failure::Input(_)) if done == 0 => return Err(failure),
+            Err(failure @ Error::Input(_)) if done == 0 => return Err(failure),
             figures => figures,
         };
         stability.rows.extend(rows(cell, figures));
         done += 1;
         // Later cells get a device that works.
         if gpu.check().is_err() {
-            gpu = Gpu::open(args.adapter.as_deref())?;
+            gpu = Gpu::open(suite.adapter.as_deref())?;
         }
     }
-    drop(progress);
-    let mut files = Vec::new();
-    if let Some(file) = json {
-        let text = stability.to_json().map_err(|error| Failure::work(error.to_string()))?;
-        files.push((file, text.into_bytes()));
-    }
-    if let Some(file) = html {
-        files.push((file, stability_page(&stability, &utc_now()).into_bytes()));
-    }
-    crate::print(&table(&stability))?;
-    outfile::write(&files)?;
-    let failed = stability.rows.iter().filter(|row| row.verdict() == "FAIL").count();
-    match (done == cells.len(), failed) {
-        (false, _) => {
-            Err(Failure::work(format!("interrupted: {done} of {} cells are finished", cells.len())))
-        }
-        (true, 0) => Ok(()),
-        (true, _) => Err(Failure::work(format!(
-            "{failed} of {} figures are out of their bounds",
-            stability.rows.len()
-        ))),
-    }
+    Ok(Ran { stability, finished: done, all: cells.len() })
 }
 
 /// What is to be run, checked.
-fn cells(args: &Args, registry: &Registry) -> Result<Vec<Cell>, Faults> {
+fn cells(suite: &Suite<'_>) -> Result<Vec<Cell>, Faults> {
     let mut faults = Faults::default();
     let names: Vec<&str> = all().map(|case| case.name).collect();
-    for case in args.cases.iter().filter(|case| !names.contains(&case.as_str())) {
+    for case in suite.cases.iter().filter(|case| !names.contains(&case.as_str())) {
         let label = suggest(case, names.iter().copied());
         faults.push(Fault::new(format!("unknown case `{case}`")).note(label));
     }
-    let known: Vec<&str> = registry.formats.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &args.formats, &known, &mut faults);
-    let encodings = words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults);
-    for resolution in args.resolutions.iter().filter(|resolution| !Grid::RESOLUTIONS.contains(resolution)) {
+    let known: Vec<&str> = suite.registry.formats.iter().map(|format| format.name()).collect();
+    let formats = words("storage format", &suite.formats, &known, &mut faults);
+    let encodings = words("encoding", &suite.encodings, &Encoding::ALL.map(Encoding::name), &mut faults);
+    for resolution in suite.resolutions.iter().filter(|resolution| !Grid::RESOLUTIONS.contains(resolution)) {
         let range = Grid::RESOLUTIONS;
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
         faults.push(fault.note(format!("each side: {} to {}", range.start(), range.end())));
     }
     let mut cells = Vec::new();
-    for case in all().filter(|case| args.cases.is_empty() || args.cases.iter().any(|name| name == case.name))
+    for case in
+        all().filter(|case| suite.cases.is_empty() || suite.cases.iter().any(|name| name == case.name))
     {
         if let Measure::Loaded(_) = case.measure {
             cells.push(Cell { case, format: "-".into(), encoding: "-".into(), resolution: 0 });
             continue;
         }
-        let resolutions = if args.resolutions.is_empty() { case.resolutions } else { &args.resolutions };
+        let resolutions = if suite.resolutions.is_empty() { case.resolutions } else { &suite.resolutions };
         for format in &formats {
             for encoding in &encodings {
                 cells.extend(resolutions.iter().map(|&resolution| Cell {
@@ -136,7 +99,8 @@ fn cells(args: &Args, registry: &Registry) -> Result<Vec<Cell>, Faults> {
     faults.into_result(cells)
 }
 
-fn measure(cell: &Cell, registry: &Registry, gpu: &Gpu, pipeline: &Pipeline, size: [u32; 2]) -> Figures {
+fn measure(cell: &Cell, suite: &Suite<'_>, gpu: &Gpu) -> Figures {
+    let Suite { registry, pipeline, size, .. } = *suite;
     let Cell { case, format, encoding, resolution } = cell;
     match case.measure {
         Measure::Loaded(measure) => measure(case.scene),
@@ -178,23 +142,4 @@ fn rows(cell: &Cell, figures: Figures) -> Vec<StabilityRow> {
             vec![row(format!("failed: {line}"), f64::NAN, None, false, None)]
         }
     }
-}
-
-fn table(stability: &Stability) -> String {
-    let mut table = Table::new(["case", "format", "encoding", "figure", "N", "value", "bound", "verdict"])
-        .numbers_from(4);
-    for row in &stability.rows {
-        let number = |value: f64| format!("{value:.3e}");
-        table.row([
-            row.case.clone(),
-            row.format.clone(),
-            row.encoding.clone(),
-            row.figure.clone(),
-            row.resolution.to_string(),
-            number(row.value),
-            row.bound.map_or_else(|| "-".into(), number),
-            row.verdict().into(),
-        ]);
-    }
-    table.to_string()
 }

@@ -6,8 +6,8 @@ use voxlume_report::{Comparison, Errors, Shown, png, signed_error};
 
 use super::measure::Measured;
 use super::truth::Truth;
+use crate::Error;
 use crate::effect::Effect;
-use crate::failure::Failure;
 use crate::picture::{Kind, shown};
 
 /// Figures and pictures of a cell.
@@ -20,7 +20,7 @@ pub struct Judged {
 }
 
 /// Compares the pixels in which both show a surface; emitters only in the whole image, or where all that is seen emits.
-pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judged, Failure> {
+pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judged, Error> {
     let image = own(effect, &measured.picture);
     let Picture { width, height, .. } = image;
     let reference = Picture {
@@ -53,7 +53,7 @@ pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judge
     }
     let errors = comparison
         .errors(&Shown { image: &image_rgb, reference: &reference_rgb })
-        .map_err(|error| Failure::Work(Fault::new(error.to_string())))?;
+        .map_err(|error| Error::Work(Fault::new(error.to_string())))?;
 
     // Half of the reference's mean is full colour, so that cells can be compared by eye.
     let values = reference.pixels.iter().zip(&counted).filter(|(_, counts)| **counts);
@@ -61,7 +61,7 @@ pub fn judge(effect: Effect, measured: &Measured, truth: &Truth) -> Result<Judge
         (sum + pixel[..3].iter().map(|value| f64::from(*value)).sum::<f64>() / 3.0, count + 1.0)
     });
     let error_scale = 0.5 * sum / count;
-    let encoded = |rgb| png(width, height, rgb).map_err(|error| Failure::work(error.to_string()));
+    let encoded = |rgb| png(width, height, rgb).map_err(|error| Error::work(error.to_string()));
     let files = [
         encoded(image_rgb)?,
         Kind::Exr.encode(&image, name, 1.0)?,

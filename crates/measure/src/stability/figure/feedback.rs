@@ -4,7 +4,7 @@ use glam::Vec4;
 use voxlume::{Scene, Value};
 
 use super::{Figure, Figures};
-use crate::failure::Failure;
+use crate::Error;
 use crate::stability::bench::{Bench, grey};
 
 /// Gain in a closed box, over its albedo.
@@ -28,7 +28,7 @@ pub fn as_it_is(bench: &Bench<'_>, scene: &Scene) -> Figures {
 }
 
 /// How much more the third bounce adds than the second; later ones sink below the steps of half floats at low albedo.
-fn gain(bench: &Bench<'_>, scene: &Scene) -> Result<f64, Failure> {
+fn gain(bench: &Bench<'_>, scene: &Scene) -> Result<f64, Error> {
     let mean = |bounces: f64| {
         let set = [
             ("light", "emission", Value::Word("gather".into())),

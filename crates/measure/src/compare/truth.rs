@@ -2,13 +2,13 @@
 
 use std::path::Path;
 use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
 
 use voxlume_reference::cache::{Cache, Key};
 use voxlume_reference::{Error, Picture, Request, Seen, Tracer};
 
 use super::cell::Subject;
-use crate::interrupt;
-use crate::progress::{Progress, share};
+use crate::Progress;
 
 /// A reference, and what its pixels show.
 pub struct Truth {
@@ -39,12 +39,13 @@ impl Truths {
         subjects: &[Subject],
         subject: usize,
         request: &Request,
-        progress: &mut Progress,
+        progress: &mut dyn Progress,
+        stop: &AtomicBool,
     ) -> Result<&Truth, Error> {
         let key = Key::new(&subjects[subject].digest, request);
         let truth = match self.last.take().filter(|(last, _)| *last == key) {
             Some((_, truth)) => truth,
-            None => self.fetch(subjects, subject, request, &key, progress)?,
+            None => self.fetch(subjects, subject, request, &key, progress, stop)?,
         };
         Ok(&self.last.insert((key, truth)).1)
     }
@@ -55,7 +56,8 @@ impl Truths {
         subject: usize,
         request: &Request,
         key: &Key,
-        progress: &mut Progress,
+        progress: &mut dyn Progress,
+        stop: &AtomicBool,
     ) -> Result<Truth, Error> {
         let tracer = match self.tracer.take().filter(|(of, _)| *of == subject) {
             Some((_, tracer)) => tracer,
@@ -69,10 +71,10 @@ impl Truths {
             let progress = Mutex::new(progress);
             let tell = |done| {
                 if let Ok(mut progress) = progress.lock() {
-                    progress.repeated(share(&what, done));
+                    progress.share(&what, done);
                 }
             };
-            tracer.render(request, &tell, interrupt::wish())
+            tracer.render(request, &tell, stop)
         })?;
         let seen = tracer.look(&request.camera, width, height)?;
         Ok(Truth { picture: cached.picture, seen })

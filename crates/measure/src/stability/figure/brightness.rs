@@ -14,7 +14,7 @@ pub fn brightness(bench: &Bench<'_>, scene: &Scene) -> Figures {
         return Ok(Vec::new());
     }
     let mean = |resolution| {
-        Ok::<f64, crate::failure::Failure>(grey(
+        Ok::<f64, crate::Error>(grey(
             &bench.render_at(resolution, bench.size, scene, "final", &[])?.picture("final")?,
         ))
     };

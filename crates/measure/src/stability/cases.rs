@@ -10,14 +10,15 @@ use super::figure::{
 
 /// A case.
 pub struct Case {
+    /// Its name.
     pub name: &'static str,
     /// What should hold.
     pub property: &'static str,
     /// File and text.
     pub scene: (&'static str, &'static str),
-    pub measure: Measure,
+    pub(crate) measure: Measure,
     /// Unless others are asked for.
-    pub resolutions: &'static [u32],
+    pub(crate) resolutions: &'static [u32],
 }
 
 /// How it is measured.

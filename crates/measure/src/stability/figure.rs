@@ -14,7 +14,7 @@ pub mod moved;
 pub mod range;
 pub mod refused;
 
-use crate::failure::Failure;
+use crate::Error;
 
 /// One figure.
 pub struct Figure {
@@ -28,7 +28,7 @@ pub struct Figure {
 }
 
 /// What a measurement gives.
-pub type Figures = Result<Vec<Figure>, Failure>;
+pub type Figures = Result<Vec<Figure>, Error>;
 
 impl Figure {
     /// A figure with a bound.

@@ -1,12 +1,10 @@
 //! Where cases are measured: a device, and one format, encoding and resolution.
 
 use voxlume::{
-    Error, Faults, Gpu, Grid, Passes, Picture, Pipeline, Renderer, Request, ResourceKind, Scene, SceneFacts,
-    Value,
+    Faults, Gpu, Grid, Passes, Picture, Pipeline, Renderer, Request, ResourceKind, Scene, SceneFacts, Value,
 };
 
-use crate::Registry;
-use crate::failure::Failure;
+use crate::{Error, Registry};
 
 /// A setting on a device.
 pub struct Bench<'g> {
@@ -25,7 +23,7 @@ pub type Set = (&'static str, &'static str, Value);
 
 impl Bench<'_> {
     /// Renders a frame up to an image, from the scene's first camera.
-    pub fn render(&self, scene: &Scene, output: &str, set: &[Set]) -> Result<Renderer<'_>, Failure> {
+    pub fn render(&self, scene: &Scene, output: &str, set: &[Set]) -> Result<Renderer<'_>, Error> {
         self.render_at(self.resolution, self.size, scene, output, set)
     }
 
@@ -37,7 +35,7 @@ impl Bench<'_> {
         scene: &Scene,
         output: &str,
         set: &[Set],
-    ) -> Result<Renderer<'_>, Failure> {
+    ) -> Result<Renderer<'_>, Error> {
         let request = Request {
             format: Some(self.format.clone()),
             encoding: Some(self.encoding.clone()),
@@ -58,7 +56,7 @@ impl Bench<'_> {
     }
 
     /// An image from the scene's first camera.
-    pub fn image(&self, scene: &Scene, output: &str, set: &[Set]) -> Result<Picture, Failure> {
+    pub fn image(&self, scene: &Scene, output: &str, set: &[Set]) -> Result<Picture, Error> {
         Ok(self.render(scene, output, set)?.picture(output)?)
     }
 
@@ -116,7 +114,7 @@ pub fn difference(a: &Picture, b: &Picture) -> f64 {
     sum / (3 * a.pixels.len()) as f64 / grey(a)
 }
 
-/// A scene of the program's own.
+/// A scene of Voxlume's own.
 pub fn scene((file, text): (&str, &str)) -> Result<Scene, Faults> {
     Scene::parse(&voxlume::Source::new(file, text))
 }

@@ -2,17 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{
-    Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, check_variant, one_of,
-};
+use voxlume::{Camera, Encoding, Fault, Faults, Grid, Request, Scene, SceneFacts, check_variant, one_of};
 use voxlume_reference::cache::SceneDigest;
 
-use super::Args;
-use crate::Registry;
+use super::Sweep;
 use crate::effect::Effect;
-use crate::failure::Failure;
-use crate::render::camera;
 use crate::words::words;
+use crate::{Error, Registry};
 
 /// A scene of the sweep.
 pub struct Subject {
@@ -51,19 +47,16 @@ impl Cell {
 }
 
 /// Loads the scenes, and finds out which cells there are.
-pub fn cells(
-    args: &Args,
-    registry: &Registry,
-    pipeline: &Pipeline,
-) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
+pub fn cells(sweep: &Sweep<'_>) -> Result<(Vec<Subject>, Vec<Cell>), Error> {
     let mut faults = Faults::default();
+    let Sweep { registry, pipeline, .. } = sweep;
     let Registry { formats: known, library } = registry;
     let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &args.formats, &names, &mut faults);
-    let encodings = if args.encodings.is_empty() {
+    let formats = words("storage format", &sweep.formats, &names, &mut faults);
+    let encodings = if sweep.encodings.is_empty() {
         vec![pipeline.encoding.value.clone()]
     } else {
-        words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
+        words("encoding", &sweep.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
     };
     if faults.is_empty() {
         for format in &formats {
@@ -74,11 +67,11 @@ pub fn cells(
         }
     }
     let all_effects = Effect::ALL.map(Effect::name);
-    let effects = words("effect", &args.effects, &all_effects, &mut faults);
+    let effects = words("effect", &sweep.effects, &all_effects, &mut faults);
     let effects: Vec<Effect> =
         Effect::ALL.into_iter().filter(|effect| effects.iter().any(|word| word == effect.name())).collect();
     let mut resolutions: Vec<u32> = Vec::new();
-    for &resolution in &args.resolutions {
+    for &resolution in &sweep.resolutions {
         if Grid::RESOLUTIONS.contains(&resolution) {
             if !resolutions.contains(&resolution) {
                 resolutions.push(resolution);
@@ -88,8 +81,8 @@ pub fn cells(
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
         faults.push(fault.note(Grid::resolution_range()));
     }
-    let subjects = subjects(args, &mut faults);
-    let [width, height] = args.size;
+    let subjects = subjects(sweep, &mut faults);
+    let [width, height] = sweep.size;
     for subject in &subjects {
         // What is wrong with the pipeline or the size is so in every cell.
         let request = Request::image(width, height);
@@ -125,15 +118,15 @@ pub fn cells(
     Ok((subjects, cells))
 }
 
-fn subjects(args: &Args, faults: &mut Faults) -> Vec<Subject> {
+fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
     let mut subjects: Vec<Subject> = Vec::new();
-    for (path, label) in args.scenes.iter().zip(labels(&args.scenes)) {
+    for (path, label) in sweep.scenes.iter().zip(labels(&sweep.scenes)) {
         if subjects.iter().any(|subject| subject.label == label) {
             faults.push(Fault::new(format!("scene `{}` is given twice", path.display())));
             continue;
         }
         let Some(scene) = faults.gather(Scene::load(path)) else { continue };
-        let Some(camera) = faults.gather(camera(&scene, args.camera.as_deref()).cloned()) else { continue };
+        let Some(camera) = faults.gather(scene.camera(sweep.camera.as_deref()).cloned()) else { continue };
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
         let digest = SceneDigest::of(&scene);
         subjects.push(Subject { label, scene, digest, facts, camera });

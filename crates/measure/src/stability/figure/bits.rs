@@ -3,7 +3,7 @@
 use voxlume::{Renderer, Scene};
 
 use super::{Figure, Figures};
-use crate::failure::Failure;
+use crate::Error;
 use crate::stability::bench::{Bench, images, volumes};
 
 /// Between two runs: in the voxels, the volumes and every image.
@@ -20,7 +20,7 @@ pub fn runs(bench: &Bench<'_>, scene: &Scene) -> Figures {
         for name in images(&renderer) {
             add(&mut bytes, &renderer.picture(&name)?.pixels);
         }
-        Ok::<Vec<u8>, Failure>(bytes)
+        Ok::<Vec<u8>, Error>(bytes)
     };
     Ok(vec![Figure::at_most("bits of all that was computed", differing(&all()?, &all()?), 0.0)])
 }
@@ -44,7 +44,7 @@ fn gcd(a: usize, b: usize) -> usize {
 }
 
 /// The substrate: occupancy, ranks, the list of cells, the sums of attributes.
-fn voxels(renderer: &Renderer<'_>) -> Result<Vec<u8>, Failure> {
+fn voxels(renderer: &Renderer<'_>) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     for name in ["occupancy", "ranks", "levels", "cells", "attributes"] {
         bytes.extend(renderer.buffer(name)?.unwrap_or_default());
