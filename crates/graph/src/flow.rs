@@ -55,8 +55,8 @@ impl Flow {
         let mut written = BTreeSet::new();
         let mut inputs = BTreeSet::new();
         for step in steps {
-            let (reads, writes) = touched(step);
-            for index in reads {
+            let touches = step.touches();
+            for index in touches.iter().filter(|touch| touch.reads).map(|touch| touch.resource) {
                 let resource = &resources[index];
                 match resource.kind {
                     ResourceKind::Scene => flow.depends(&resource.name),
@@ -69,8 +69,8 @@ impl Flow {
                     _ => {}
                 }
             }
-            written.extend(writes);
-            flow.sources.time |= reads_last(step);
+            written.extend(touches.iter().filter(|touch| touch.writes).map(|touch| touch.resource));
+            flow.sources.time |= step.reads_last();
         }
         flow.inputs = inputs.into_iter().collect();
         flow.outputs = written.into_iter().collect();
@@ -91,52 +91,68 @@ impl Flow {
 /// How the uniform with a pass's parameters is called, after the pass's own name.
 pub(crate) const PARAMS_SUFFIX: &str = ".params";
 
-fn reads_last(step: &Step) -> bool {
-    program(step)
-        .is_some_and(|program| program.binds.iter().any(|bind| matches!(bind.target, Target::Last(_))))
+/// A resource in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Touch {
+    /// In [`Plan::resources`](crate::Plan::resources).
+    pub resource: usize,
+    /// Whether the step uses what is there.
+    pub reads: bool,
+    /// Whether it changes it.
+    pub writes: bool,
 }
 
-fn program(step: &Step) -> Option<&Program> {
-    match step {
-        Step::Compute { program, .. } | Step::Draw { program, .. } | Step::Raster { program, .. } => {
-            Some(program)
+impl Step {
+    /// The program that it runs.
+    pub fn program(&self) -> Option<&Program> {
+        match self {
+            Step::Compute { program, .. } | Step::Draw { program, .. } | Step::Raster { program, .. } => {
+                Some(program)
+            }
+            Step::Clear(_) | Step::Copy { .. } | Step::Counted => None,
         }
-        Step::Clear(_) | Step::Copy { .. } | Step::Counted => None,
     }
-}
 
-/// The resources that a step reads and those that it writes.
-fn touched(step: &Step) -> (Vec<usize>, Vec<usize>) {
-    let (mut reads, mut writes) = (Vec::new(), Vec::new());
-    for bind in program(step).into_iter().flat_map(|program| &program.binds) {
-        let (Target::Resource(index) | Target::Mip { resource: index, .. }) = bind.target else { continue };
-        let (read, write) = access(bind);
-        reads.extend(read.then_some(index));
-        writes.extend(write.then_some(index));
-    }
-    match step {
-        Step::Clear(index) => writes.push(*index),
-        Step::Copy { from, to } => {
-            reads.push(*from);
-            writes.push(*to);
+    /// Every resource that it touches, but for last values.
+    pub fn touches(&self) -> Vec<Touch> {
+        let read = |resource: usize| Touch { resource, reads: true, writes: false };
+        let write = |resource: usize| Touch { resource, reads: false, writes: true };
+        let mut touches: Vec<Touch> =
+            self.program().into_iter().flat_map(|program| &program.binds).filter_map(bound).collect();
+        match self {
+            Step::Clear(index) => touches.push(write(*index)),
+            Step::Copy { from, to } => touches.extend([read(*from), write(*to)]),
+            Step::Compute { groups: Groups::Indirect { resource, .. }, .. }
+            | Step::Raster { vertices: Vertices::Indirect { resource, .. }, .. } => {
+                touches.push(read(*resource))
+            }
+            Step::Draw { colors, depth, .. } => {
+                touches.extend(colors.iter().flatten().chain([&depth.0]).map(|index| write(*index)));
+            }
+            Step::Compute { .. } | Step::Raster { .. } | Step::Counted => {}
         }
-        Step::Compute { groups: Groups::Indirect { resource, .. }, .. } => reads.push(*resource),
-        Step::Compute { .. } | Step::Counted => {}
-        Step::Draw { colors, depth, .. } => writes.extend(colors.iter().flatten().chain([&depth.0])),
-        Step::Raster { vertices: Vertices::Indirect { resource, .. }, .. } => reads.push(*resource),
-        Step::Raster { .. } => {}
+        if let Step::Raster { target, .. } = self {
+            touches.push(write(*target));
+        }
+        touches
     }
-    (reads, writes)
+
+    fn reads_last(&self) -> bool {
+        let last = |bind: &Bind| matches!(bind.target, Target::Last(_));
+        self.program().is_some_and(|program| program.binds.iter().any(last))
+    }
 }
 
-/// Whether a variable reads, and whether it writes. A storage buffer that is written is read as well: its atomics and sums
-/// go on from what is there.
-fn access(bind: &Bind) -> (bool, bool) {
-    match &bind.kind {
+/// How a variable touches its resource. A storage buffer that is written is read as well: its atomics and sums go on from
+/// what is there.
+fn bound(bind: &Bind) -> Option<Touch> {
+    let (Target::Resource(resource) | Target::Mip { resource, .. }) = bind.target else { return None };
+    let (reads, writes) = match &bind.kind {
         BindingKind::Storage { read_only, .. } => (true, !read_only),
         BindingKind::StorageTexture { access, .. } => {
             (*access != Access::WriteOnly, *access != Access::ReadOnly)
         }
         _ => (true, false),
-    }
+    };
+    Some(Touch { resource, reads, writes })
 }

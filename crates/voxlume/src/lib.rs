@@ -23,10 +23,10 @@ pub use voxlume_format::{
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds, LeftOut, Life, Over,
-    ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline, Plan, Port, ProbeSize, Program, Request,
-    Resource, ResourceKind, Run, SceneFacts, Sort, Sources, Step, Target, Unread, Update, Value, Values, Vertices,
-    check_variant, explain, plan, plan_with, probe, screen_image,
+    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds,
+    LeftOut, Life, Over, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline, Plan, Port,
+    ProbeSize, Program, Request, Resource, ResourceKind, Run, SceneFacts, Sort, Sources, Step, Target, Touch,
+    Unread, Update, Value, Values, Vertices, check_variant, explain, plan, plan_with, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};
