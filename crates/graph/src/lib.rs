@@ -3,6 +3,7 @@
 //! A [`Pipeline`] is a RON file; [`plan`] checks it against the shaders and storage formats, leaves out what the
 //! scene doesn't need, and gives a [`Plan`] that an engine carries out.
 
+mod builtin;
 mod entries;
 mod expand;
 mod explain;
@@ -19,6 +20,7 @@ mod planner;
 mod probe;
 mod variant;
 
+pub use builtin::PIPELINES;
 pub use expand::voxelize::DEFAULT_METHOD;
 pub use explain::explain;
 pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
