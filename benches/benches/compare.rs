@@ -1,26 +1,19 @@
-//! Time and memory against error, with `voxlume compare`'s own harness: `cargo bench -p voxlume-benches --bench compare`.
+//! Time and memory against error, by the sweep of `voxlume compare`: `cargo bench -p voxlume-benches --bench compare`.
 //!
 //! References stay in `target/bench/compare/cache`; everything else is measured anew. `-- --save` makes what it
 //! finds the new baseline.
 
-use std::ffi::OsString;
+use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::atomic::AtomicBool;
 
-use voxlume_cli::{Registry, main_with};
+use voxlume::Pipeline;
+use voxlume_measure::compare::Sweep;
+use voxlume_measure::{Progress, Registry};
+use voxlume_report::{Results, against, table};
 
-/// What never changes, so that figures of different days can be held against each other.
-const SWEEP: [&str; 9] = [
-    "compare",
-    "scenes/cornell.ron",
-    "scenes/lights.ron",
-    "--formats=all",
-    "--resolutions=64,128",
-    "--size=256x256",
-    "--spp=512",
-    "--repeat=5",
-    "--out=target/bench/compare",
-];
+const FOLDER: &str = "target/bench/compare";
 const BASELINE: &str = "benches/baseline.json";
 
 fn main() -> ExitCode {
@@ -36,35 +29,68 @@ fn main() -> ExitCode {
             }
         }
     }
-    let done = prepare().map(|()| main_with(&Registry::builtin(), arguments(save)));
-    match done {
-        Ok(code) if code == ExitCode::SUCCESS && save => {
-            match std::fs::copy("target/bench/compare/results.json", BASELINE) {
-                Ok(_) => code,
-                Err(error) => failed(&error),
-            }
+    match run(save) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
         }
-        Ok(code) => code,
-        Err(error) => failed(&error),
     }
 }
 
-fn failed(error: &std::io::Error) -> ExitCode {
-    eprintln!("error: {error}");
-    ExitCode::FAILURE
-}
-
-/// To the workspace's root, and no finished cell there, so that all are timed.
-fn prepare() -> std::io::Result<()> {
+fn run(save: bool) -> Result<(), Box<dyn Error>> {
     std::env::set_current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))?;
-    match std::fs::remove_dir_all("target/bench/compare/cells") {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
+    // With no finished cell there, all are timed.
+    match std::fs::remove_dir_all(Path::new(FOLDER).join("cells")) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error.into()),
+        _ => {}
     }
+    let baseline = match std::fs::read_to_string(BASELINE) {
+        Ok(text) if !save => Some(Results::parse(&text)?),
+        _ => None,
+    };
+    let registry = Registry::builtin();
+    let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
+    // What never changes, so that figures of different days can be held against each other.
+    let sweep = Sweep {
+        registry: &registry,
+        pipeline: &pipeline,
+        scenes: ["scenes/cornell.ron", "scenes/lights.ron"].map(Into::into).to_vec(),
+        camera: None,
+        formats: vec!["all".into()],
+        encodings: Vec::new(),
+        resolutions: vec![64, 128],
+        effects: vec!["all".into()],
+        size: [256, 256],
+        samples: 512,
+        repeat: 5,
+        adapter: None,
+        folder: FOLDER.into(),
+    };
+    let results = sweep.run(&mut Stages, &AtomicBool::new(false))?;
+    print!("{}", table(&results));
+    let failed = results.failed();
+    if failed > 0 {
+        return Err(format!("{failed} of {} cells failed", results.rows.len()).into());
+    }
+    if save {
+        std::fs::copy(Path::new(FOLDER).join("results.json"), BASELINE)?;
+    }
+    if let Some(baseline) = baseline {
+        print!("\nsince the baseline:\n{}", against(&results, &baseline));
+    }
+    Ok(())
 }
 
-fn arguments(save: bool) -> Vec<OsString> {
-    let baseline = !save && Path::new(BASELINE).exists();
-    let with = baseline.then(|| format!("--baseline={BASELINE}"));
-    ["voxlume"].iter().chain(&SWEEP).map(OsString::from).chain(with.map(OsString::from)).collect()
+/// Tells on stderr of each piece of work.
+struct Stages;
+
+impl Progress for Stages {
+    fn stage(&mut self, what: String) {
+        eprintln!("{what}");
+    }
+
+    fn repeated(&mut self, _: String) {}
+
+    fn share(&mut self, _: &str, _: f32) {}
 }

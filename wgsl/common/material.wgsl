@@ -1,6 +1,5 @@
 // glTF metallic-roughness materials. Textures are layers of two arrays, colour (sRGB) and data (linear).
 
-
 struct Material {
     base_color: vec4f,
     emission: vec3f,
@@ -26,6 +25,8 @@ var material_sampler: sampler;
 override HAS_TEXTURES: bool = true;
 override HAS_ALPHA_MASK: bool = true;
 override HAS_EMISSION: bool = true;
+// Texels along a side of a texture layer.
+override TEXTURE_SIZE: f32 = 1024.0;
 
 fn base_color(material: Material, uv: vec2f, lod: f32) -> vec4f {
     if (HAS_TEXTURES && material.base_color_layer >= 0) {

@@ -1,4 +1,4 @@
-// Cells that were occupied in the frame before and are not any more, as the bits of a word of their level.
+// Cells that were occupied when the volume was last stored and are not any more, as the bits of a word of their level.
 
 import package::common::grid::{brick_count, level_first_word};
 import package::common::voxels::occupancy;

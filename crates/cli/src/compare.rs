@@ -1,17 +1,16 @@
 //! `voxlume compare`.
 
-mod cell;
-mod folder;
-mod measure;
-mod report;
-mod sweep;
-mod truth;
+use std::path::{Path, PathBuf};
 
-use std::path::PathBuf;
+use voxlume::Fault;
+use voxlume_measure::compare::Sweep;
+use voxlume_measure::{Error, Progress as _, Registry};
+use voxlume_report::{Results, against, table};
 
-use crate::Registry;
 use crate::args::size;
 use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::{interrupt, pipeline};
 
 /// Hold effects against a path tracer: what each storage format costs, and how wrong it is
 ///
@@ -85,5 +84,50 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    sweep::run(args, registry)
+    let stop = interrupt::wish();
+    let pipeline = pipeline::load(&args.pipeline)?;
+    let mut progress = Progress::new();
+    progress.stage("loading".into());
+    let baseline = args.baseline.as_deref().map(baseline).transpose()?;
+    let sweep = Sweep {
+        registry,
+        pipeline: &pipeline,
+        scenes: args.scenes.clone(),
+        camera: args.camera.clone(),
+        formats: args.formats.clone(),
+        encodings: args.encodings.clone(),
+        resolutions: args.resolutions.clone(),
+        effects: args.effects.clone(),
+        size: args.size,
+        samples: args.spp,
+        repeat: args.repeat,
+        adapter: args.adapter.clone(),
+        folder: args.out.clone(),
+    };
+    let results = sweep.run(&mut progress, stop).map_err(|error| match error {
+        Error::Interrupted { .. } => {
+            let out = args.out.display();
+            Failure::work(format!("{error} and kept in `{out}`; the same command goes on from there"))
+        }
+        error => error.into(),
+    })?;
+    drop(progress);
+    crate::print(&table(&results))?;
+    if let Some(baseline) = baseline {
+        crate::print(&format!("\nsince the baseline:\n{}", against(&results, &baseline)))?;
+    }
+    match results.failed() {
+        0 => Ok(()),
+        failed => Err(Failure::work(format!(
+            "{failed} of {} cells failed; results.json says why",
+            results.rows.len()
+        ))),
+    }
+}
+
+/// Reads the results of another time.
+fn baseline(path: &Path) -> Result<Results, Fault> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| Fault::new(format!("cannot read `{}`: {error}", path.display())))?;
+    Results::parse(&text).map_err(|error| Fault::new(format!("`{}`: {error}", path.display())))
 }

@@ -1,7 +1,7 @@
 //! `voxlume devices`.
 
-use voxlume::wgpu::{AdapterInfo, DeviceType};
 use voxlume::{Error, Gpu};
+use voxlume_measure::describe;
 use voxlume_report::Device;
 
 use crate::failure::Failure;
@@ -26,28 +26,8 @@ pub fn run(_: &Args) -> Result<(), Failure> {
             Ok(_) => "the host's clock".to_owned(),
             Err(error) => error.to_string(),
         };
-        table.row([info.name.clone(), kind(info).into(), info.backend.to_string(), clock, driver(info)]);
+        let Device { name, kind, driver } = describe(info);
+        table.row([name, kind, info.backend.to_string(), clock, driver]);
     }
     crate::print(&table.to_string())
-}
-
-/// What results say of a device.
-pub fn describe(info: &AdapterInfo) -> Device {
-    Device { name: info.name.clone(), kind: kind(info).to_owned(), driver: driver(info) }
-}
-
-/// What sort of device it is, in words.
-fn kind(info: &AdapterInfo) -> &'static str {
-    match info.device_type {
-        DeviceType::Cpu => "software device",
-        DeviceType::DiscreteGpu => "discrete GPU",
-        DeviceType::IntegratedGpu => "integrated GPU",
-        DeviceType::VirtualGpu => "virtual GPU",
-        DeviceType::Other => "unknown type",
-    }
-}
-
-/// The driver's name and version.
-fn driver(info: &AdapterInfo) -> String {
-    format!("{} {}", info.driver, info.driver_info).trim().to_owned()
 }

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::process::ExitCode;
 
-use voxlume::{Error, Fault, Faults};
+use voxlume::{Fault, Faults};
+use voxlume_measure::Error;
 
 /// What is printed, and with which exit code the program ends.
 #[derive(Debug)]
@@ -55,14 +56,16 @@ impl From<Fault> for Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
-        let fault = Fault::new(error.to_string());
         match error {
-            Error::Scene(faults) => Failure::Input(faults),
-            Error::NoSuchAdapter { .. }
-            | Error::NoSuchImage { .. }
-            | Error::TooLarge { .. }
-            | Error::OverBudget { .. } => Failure::Input(fault.into()),
-            _ => Failure::Work(fault),
+            Error::Input(faults) => Failure::Input(faults),
+            Error::Work(fault) => Failure::Work(fault),
+            Error::Interrupted { .. } => Failure::work(error.to_string()),
         }
+    }
+}
+
+impl From<voxlume::Error> for Failure {
+    fn from(error: voxlume::Error) -> Failure {
+        Error::from(error).into()
     }
 }

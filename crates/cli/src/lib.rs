@@ -6,24 +6,18 @@ mod args;
 mod check;
 mod compare;
 mod devices;
-mod effect;
 mod explain;
 mod failure;
 mod interrupt;
 mod library;
-mod outfile;
-mod picture;
 mod pipeline;
 mod progress;
 mod reference;
 mod render;
 mod stability;
-mod statistics;
 mod table;
 mod timing;
-mod tone;
 mod voxelize;
-mod words;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -33,7 +27,8 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use tracing_subscriber::EnvFilter;
 use tracing_subscriber::filter::LevelFilter;
-use voxlume::{Formats, Library};
+
+pub use voxlume_measure::Registry;
 
 use crate::failure::Failure;
 
@@ -70,21 +65,6 @@ enum Command {
     Check(check::Args),
     Stability(stability::Args),
     Devices(devices::Args),
-}
-
-/// What there is to choose from.
-pub struct Registry {
-    /// Storage formats.
-    pub formats: Formats,
-    /// WGSL modules, those of the formats among them.
-    pub library: Library,
-}
-
-impl Registry {
-    /// What Voxlume brings along.
-    pub fn builtin() -> Registry {
-        Registry { formats: Formats::builtin(), library: Library::builtin() }
-    }
 }
 
 /// Carries out the command that `arguments` say, the program's name first, and tells what went wrong on stderr.

@@ -27,9 +27,10 @@ impl Progress {
         });
         Progress { spinner, told: Instant::now() }
     }
+}
 
-    /// A new piece of work begins.
-    pub fn stage(&mut self, what: String) {
+impl voxlume_measure::Progress for Progress {
+    fn stage(&mut self, what: String) {
         self.told = Instant::now();
         match &self.spinner {
             Some(spinner) => spinner.set_message(what),
@@ -38,19 +39,23 @@ impl Progress {
         }
     }
 
-    /// One of many like pieces begins; plain lines tell of it only now and then.
-    pub fn repeated(&mut self, what: String) {
+    /// Plain lines tell of it only now and then.
+    fn repeated(&mut self, what: String) {
         if self.spinner.is_some() || self.told.elapsed() > QUIET {
             self.stage(what);
         }
     }
-}
 
-/// A share of a longer piece of work, for [`Progress::repeated`].
-pub fn share(what: &str, done: f32) -> String {
-    const CELLS: usize = 20;
-    let full = (done.clamp(0.0, 1.0) * CELLS as f32) as usize;
-    format!("{what} [{}{}] {:3.0} %", "#".repeat(full), " ".repeat(CELLS - full), done * 100.0)
+    fn share(&mut self, what: &str, done: f32) {
+        const CELLS: usize = 20;
+        let full = (done.clamp(0.0, 1.0) * CELLS as f32) as usize;
+        self.repeated(format!(
+            "{what} [{}{}] {:3.0} %",
+            "#".repeat(full),
+            " ".repeat(CELLS - full),
+            done * 100.0
+        ));
+    }
 }
 
 impl Drop for Progress {

@@ -3,19 +3,20 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use voxlume::{Picture, Request, Scene, SceneFacts};
+use voxlume_measure::Progress as _;
+use voxlume_measure::effect::Effect;
+use voxlume_measure::outfile::{self, OutFile};
+use voxlume_measure::picture::Kind;
 use voxlume_reference::{Error, PixelSampling, Reflection, Tracer};
 
 use crate::Registry;
 use crate::args::{seconds, size};
-use crate::effect::Effect;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::outfile::{self, OutFile};
-use crate::picture::Kind;
 use crate::pipeline;
-use crate::progress::{Progress, share};
-use crate::render::camera;
+use crate::progress::Progress;
 
 /// Path-trace the ground truth of a scene or of one effect on the CPU
 ///
@@ -39,7 +40,7 @@ pub struct Args {
     time: f64,
 
     /// What to compute
-    #[arg(long, value_enum, default_value = "final")]
+    #[arg(long, default_value = "final", value_parser = effect())]
     effect: Effect,
 
     /// Bounces of indirect light; 0 is direct light only
@@ -59,6 +60,11 @@ pub struct Args {
     out: Vec<PathBuf>,
 }
 
+fn effect() -> impl TypedValueParser<Value = Effect> {
+    let names = PossibleValuesParser::new(Effect::ALL.map(Effect::name));
+    names.try_map(|name| Effect::ALL.into_iter().find(|effect| effect.name() == name).ok_or("unknown"))
+}
+
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let files = args.out.iter().map(|path| Ok((Kind::of(path)?, OutFile::new(path)?)));
@@ -70,7 +76,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     progress.stage(format!("loading {}", args.scene.display()));
     let mut scene = Scene::load(&args.scene)?;
     scene.set_time(args.time);
-    let camera = camera(&scene, args.camera.as_deref())?.clone();
+    let camera = scene.camera(args.camera.as_deref())?.clone();
     let pipeline = pipeline::load("gi")?;
     let [width, height] = args.size;
     let facts = SceneFacts::of(&scene)?;
@@ -96,7 +102,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
         let progress = Mutex::new(&mut progress);
         let tell = |done| {
             if let Ok(mut progress) = progress.lock() {
-                progress.repeated(share("tracing", done));
+                progress.share("tracing", done);
             }
         };
         tracer.render(&request, &tell, interrupt::wish()).map_err(refused)?

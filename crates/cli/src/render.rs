@@ -6,19 +6,18 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use voxlume::{Camera, Fault, Gpu, Passes, Pipeline, Renderer, Scene};
-use voxlume_fault::suggest;
+use voxlume::{Fault, Gpu, Passes, Pipeline, Renderer, Scene};
+use voxlume_measure::outfile::{self, OutFile};
+use voxlume_measure::picture::Kind;
+use voxlume_measure::{Frames, Progress as _, describe};
 use voxlume_report::OutOfRange;
 
 use crate::Registry;
 use crate::args::ImageArgs;
-use crate::devices;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::outfile::{self, OutFile};
-use crate::picture::Kind;
 use crate::progress::Progress;
-use crate::timing::{Frames, Report, Resource};
+use crate::timing::{Report, Resource};
 use crate::voxelize;
 
 /// Render a scene to PNG and EXR, and tell what it cost
@@ -101,7 +100,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let mut progress = Progress::new();
     progress.stage(format!("loading {}", args.image.plan.scene.display()));
     let scene = args.image.plan.scene()?;
-    let camera = camera(&scene, args.camera.as_deref())?;
+    let camera = scene.camera(args.camera.as_deref())?;
     progress.stage("planning".into());
     // Faults first: a device takes its time to open, or may not be there.
     args.image.plan(registry, &pipeline, &scene, None)?;
@@ -150,17 +149,6 @@ fn json(report: &Report) -> Result<Vec<u8>, Failure> {
     Ok((text + "\n").into_bytes())
 }
 
-/// The camera of that name, or the first one.
-pub fn camera<'s>(scene: &'s Scene, name: Option<&str>) -> Result<&'s Camera, Fault> {
-    let names = scene.cameras.iter().map(|camera| camera.name.as_str());
-    let found = match name {
-        Some(name) => scene.cameras.iter().find(|camera| camera.name == name),
-        None => scene.cameras.first(),
-    };
-    let name = name.unwrap_or_default();
-    found.ok_or_else(|| Fault::new(format!("unknown camera `{name}`")).note(suggest(name, names)))
-}
-
 fn report(
     gpu: &Gpu,
     scene: &Scene,
@@ -171,7 +159,7 @@ fn report(
     let plan = renderer.plan();
     Report {
         schema: 1,
-        device: devices::describe(&gpu.info),
+        device: describe(&gpu.info),
         scene: scene.name.clone(),
         format: plan.format.clone(),
         encoding: plan.encoding.to_string(),

@@ -1,16 +1,17 @@
 //! `voxlume stability`.
 
-mod bench;
-mod cases;
-mod figure;
-mod misses;
-mod sweep;
-
 use std::path::PathBuf;
 
-use crate::Registry;
+use voxlume_measure::outfile::{self, OutFile};
+use voxlume_measure::stability::{Ran, Suite, cases};
+use voxlume_measure::{Error, Registry};
+use voxlume_report::{Stability, stability_page, utc_now};
+
 use crate::args::size;
 use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::table::Table;
+use crate::{interrupt, pipeline};
 
 /// Run hard cases: numerical stability as figures with bounds
 ///
@@ -65,5 +66,71 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    if args.list { sweep::list() } else { sweep::run(args, registry) }
+    if args.list {
+        return list();
+    }
+    let stop = interrupt::wish();
+    let json = args.json.as_deref().map(OutFile::new).transpose()?;
+    let html = args.html.as_deref().map(OutFile::new).transpose()?;
+    outfile::distinct(json.iter().chain(&html))?;
+    let pipeline = pipeline::load("gi")?;
+    let suite = Suite {
+        registry,
+        pipeline: &pipeline,
+        cases: args.cases.clone(),
+        formats: args.formats.clone(),
+        encodings: args.encodings.clone(),
+        resolutions: args.resolutions.clone(),
+        size: args.size,
+        adapter: args.adapter.clone(),
+    };
+    let mut progress = Progress::new();
+    let Ran { stability, finished, all } = suite.run(&mut progress, stop)?;
+    drop(progress);
+    let mut files = Vec::new();
+    if let Some(file) = json {
+        let text = stability.to_json().map_err(|error| Failure::work(error.to_string()))?;
+        files.push((file, text.into_bytes()));
+    }
+    if let Some(file) = html {
+        files.push((file, stability_page(&stability, &utc_now()).into_bytes()));
+    }
+    crate::print(&table(&stability))?;
+    outfile::write(&files)?;
+    let failed = stability.rows.iter().filter(|row| row.verdict() == "FAIL").count();
+    match (finished == all, failed) {
+        (false, _) => Err(Error::Interrupted { finished, all }.into()),
+        (true, 0) => Ok(()),
+        (true, _) => Err(Failure::work(format!(
+            "{failed} of {} figures are out of their bounds",
+            stability.rows.len()
+        ))),
+    }
+}
+
+fn list() -> Result<(), Failure> {
+    let mut table = Table::new(["case", "what should hold", "scene"]);
+    for case in cases() {
+        table.row([case.name.into(), case.property.into(), case.scene.0.into()]);
+    }
+    crate::print(&table.to_string())
+}
+
+fn table(stability: &Stability) -> String {
+    let mut table = Table::new(["case", "format", "encoding", "figure", "N", "value", "bound", "verdict"])
+        .numbers_from(4);
+    for row in &stability.rows {
+        let number = |value: f64| format!("{value:.3e}");
+        table.row([
+            row.case.clone(),
+            row.format.clone(),
+            row.encoding.clone(),
+            row.figure.clone(),
+            row.resolution.to_string(),
+            number(row.value),
+            row.bound.map_or_else(|| "-".into(), number),
+            row.verdict().into(),
+        ]);
+    }
+    table.to_string()
 }

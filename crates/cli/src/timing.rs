@@ -1,10 +1,9 @@
 //! What a run cost, as a table and as JSON.
 
 use serde::Serialize;
-use voxlume::{Clock, PassTime};
+use voxlume_measure::Frames;
 use voxlume_report::{Device, OutOfRange, Pass};
 
-use crate::statistics::median_and_spread;
 use crate::table::Table;
 
 /// Times and bytes of a run. Its JSON is version 1 of `render --json`.
@@ -58,55 +57,6 @@ pub struct Resource {
     pub bytes: u64,
 }
 
-/// The times of some frames.
-#[derive(Debug, Default)]
-pub struct Frames {
-    /// Of each frame, its passes.
-    passes: Vec<Vec<PassTime>>,
-    /// Of each frame, milliseconds from the first command to the last result.
-    wall: Vec<f64>,
-}
-
-impl Frames {
-    /// Adds a frame.
-    pub fn push(&mut self, passes: Vec<PassTime>, wall_ms: f64) {
-        self.passes.push(passes);
-        self.wall.push(wall_ms);
-    }
-
-    /// How many.
-    pub fn count(&self) -> usize {
-        self.wall.len()
-    }
-
-    /// Each pass's time over all frames.
-    pub fn passes(&self) -> Vec<Pass> {
-        let first = self.passes.first().map(Vec::as_slice).unwrap_or_default();
-        let over_frames = |index: usize| -> Vec<f64> {
-            self.passes.iter().filter_map(|frame| Some(frame.get(index)?.milliseconds)).collect()
-        };
-        first
-            .iter()
-            .enumerate()
-            .map(|(index, pass)| {
-                let (median_ms, spread_ms) = median_and_spread(&over_frames(index));
-                let clock = match pass.clock {
-                    Clock::Gpu => "gpu",
-                    Clock::Wall => "wall",
-                };
-                Pass { name: pass.name.clone(), median_ms, spread_ms, clock: clock.to_owned() }
-            })
-            .collect()
-    }
-
-    /// Median and spread of the sum of all passes.
-    pub fn total(&self) -> (f64, f64) {
-        let sums: Vec<f64> =
-            self.passes.iter().map(|frame| frame.iter().map(|pass| pass.milliseconds).sum()).collect();
-        median_and_spread(&sums)
-    }
-}
-
 impl Report {
     /// The tables that `render` prints.
     pub fn tables(&self, frames: &Frames) -> String {
@@ -118,7 +68,7 @@ impl Report {
             _ => "the host's clock, as the device has no timestamps to rely on",
         };
         let mut passes = Table::new(["pass", "median ms", "spread ms"]).numbers_from(1);
-        let count = frames.wall.len();
+        let count = frames.count();
         let mut time = |name: &str, (median, spread): (f64, f64)| {
             // A single frame doesn't spread.
             let spread = if count > 1 { format!("{spread:.2}") } else { "-".to_owned() };
@@ -128,7 +78,7 @@ impl Report {
             time(&pass.name, (pass.median_ms, pass.spread_ms));
         }
         time("all passes", frames.total());
-        time("frame by the host's clock", median_and_spread(&frames.wall));
+        time("frame by the host's clock", frames.wall());
         let mut resources = Table::new(["resource", "bytes"]).numbers_from(1);
         for resource in &self.resources {
             resources.row([resource.name.clone(), resource.bytes.to_string()]);
@@ -145,27 +95,5 @@ impl Report {
              times of {count} after one of warm-up, by {clock}\n{passes}\n{resources}",
             self.scene
         )
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_total_is_of_frames_not_of_medians() {
-        let mut frames = Frames::default();
-        for (a, b) in [(1.0, 9.0), (2.0, 2.0), (9.0, 1.0)] {
-            let pass = |name: &str, milliseconds| PassTime {
-                pass: 0,
-                name: name.into(),
-                milliseconds,
-                clock: Clock::Gpu,
-            };
-            frames.push(vec![pass("a", a), pass("b", b)], 20.0);
-        }
-        let medians: Vec<f64> = frames.passes().iter().map(|pass| pass.median_ms).collect();
-        assert_eq!(medians, [2.0, 2.0]);
-        assert_eq!(frames.total().0, 10.0);
     }
 }

@@ -10,15 +10,15 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use voxlume::{DEFAULT_METHOD, Gpu, Passes, Pipeline, Renderer, Value};
+use voxlume_measure::outfile::{self, OutFile};
+use voxlume_measure::{Frames, Progress as _};
 
 use crate::Registry;
 use crate::args::{self, PlanArgs};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::outfile::{self, OutFile};
 use crate::progress::Progress;
-use crate::render::{camera, exposure};
-use crate::timing::Frames;
+use crate::render::exposure;
 use cells::Cells;
 use file::Kind;
 use report::Report;
@@ -110,7 +110,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let mut progress = Progress::new();
     progress.stage(format!("loading {}", args.plan.scene.display()));
     let scene = args.plan.scene()?;
-    let camera = camera(&scene, args.camera.as_deref())?;
+    let camera = scene.camera(args.camera.as_deref())?;
     progress.stage("planning".into());
     let plan = args::plan(registry, &pipeline, &scene, &request(args, &pipeline))?;
     let gpu = Gpu::open(args.adapter.as_deref())?;

@@ -30,6 +30,8 @@ pub struct SceneFacts {
     pub spot: u32,
     /// Planar emissive polygons; `None` where emission is not a few plain polygons.
     pub polygons: Option<u32>,
+    /// The largest component of any material's emission, W·m⁻²·sr⁻¹.
+    pub emission_max: f32,
     /// Whether any material emits.
     pub emissive: bool,
     /// Whether any material has a texture.
@@ -99,6 +101,7 @@ impl SceneFacts {
             point: count(|kind| matches!(kind, LightKind::Point { .. })),
             spot: count(|kind| matches!(kind, LightKind::Spot { .. })),
             polygons,
+            emission_max: scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max),
             emissive,
             textured: used.iter().any(|material| {
                 material.base_color_texture.is_some()

@@ -139,6 +139,11 @@ impl Results {
         Ok(serde_json::from_str(text)?)
     }
 
+    /// How many comparisons failed.
+    pub fn failed(&self) -> usize {
+        self.rows.iter().filter(|row| matches!(row.outcome, Outcome::Failed { .. })).count()
+    }
+
     /// The text of `results.json`.
     ///
     /// # Errors

@@ -33,9 +33,6 @@
 //! | [`PassEntry`] | A pass as RON describes it. |
 //! | [`Value`] | The value of a pass's parameter. |
 //! | [`Extent`] | What space the grid takes: the scene's, or a given box. |
-//! | [`Kind`] | A kind of pass: what it reads, what it makes, its words. |
-//! | [`KINDS`] | All kinds of passes. |
-//! | [`SURFACE_IMAGES`] | The images that `surface` stands for. |
 //! | [`DEFAULT_METHOD`] | How `voxelize` finds voxels unless told otherwise. |
 //! | [`SceneFacts`] | What a scene needs, so that a plan models only that. |
 //! | [`Request`] | What is asked for beside the pipeline: size, format, output, parameters. |
@@ -43,14 +40,43 @@
 //! | [`explain`] | A plan in words: passes, resources with their bytes, what was left out and why. |
 //! | [`check_variant`] | Whether the words of a format and of an encoding are known. |
 //! | [`Plan`] | All that a device does for a pipeline on a scene, as data. |
-//! | [`Grid`] | The grid of voxels that a plan uses. |
+//! | [`Pass`] | One pass of a plan: it runs whole or not at all. |
+//! | [`Sources`] | What a pass depends on beside the resources that other passes make. |
+//! | [`Update`] | When a pass runs. |
+//! | [`ParamSlot`] | A parameter's place in its pass's uniform buffer. |
+//! | [`ParamBytes`] | New bytes for a parameter. |
 //! | [`LeftOut`] | A pass or resource that the scene doesn't need, and why. |
+//! | [`Grid`] | The grid of voxels that a plan uses. |
 //! | [`Step`] | One dispatch, draw or clear of a plan. |
+//! | [`Touch`] | A resource in a step, and how the step uses it. |
+//! | [`Groups`] | The workgroups of a dispatch. |
+//! | [`Vertices`] | The vertices of a step that rasterizes. |
 //! | [`Program`] | A shader with what its variables are bound to. |
 //! | [`Bind`] | One variable of a program. |
 //! | [`Target`] | What a variable is bound to. |
 //! | [`Resource`] | A buffer or texture of a plan. |
 //! | [`ResourceKind`] | Its kind and size. |
+//! | [`ImageExtent`] | The size of an image. |
+//! | [`ImageTexel`] | The texel of an image. |
+//! | [`Life`] | How long a resource's value is kept. |
+//!
+//! # Kinds of passes
+//! | name | what it is |
+//! |---|---|
+//! | [`Kinds`] | The kinds of passes that a pipeline can name; others are added to the built-in ones. |
+//! | [`plan_with`] | [`plan`], with such kinds. |
+//! | [`PassKind`] | A kind of pass: what it reads and makes, when it is left out, how it becomes steps. |
+//! | [`Port`] | Something that a kind reads, makes or changes. |
+//! | [`Sort`] | What sort of thing a port is. |
+//! | [`ParamWords`] | A parameter that decides what is planned. |
+//! | [`Values`] | The values that such a parameter can have. |
+//! | [`Idle`] | Why an entry has nothing to do. |
+//! | [`Unread`] | A port that an entry doesn't look at, and why. |
+//! | [`Expansion`] | One entry of a pipeline on its way to steps. |
+//! | [`Bundle`] | What a name of the graph stands for in shaders: variables, constants, modules. |
+//! | [`Run`] | A step on its way. |
+//! | [`Over`] | What a compute step runs over. |
+//! | [`screen_image`] | An image of the screen's size. |
 //!
 //! # Devices and frames
 //! | name | what it is |
@@ -109,9 +135,11 @@ pub use voxlume_format::{
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PIPELINES, PassEntry, Pipeline, Plan,
-    ProbeSize, Program, Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Value,
-    check_variant, explain, plan, probe,
+    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds,
+    LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline,
+    Plan, Port, ProbeSize, Program, Request, Resource, ResourceKind, Run, SceneFacts, Sort, Sources, Step,
+    Target, Touch, Unread, Update, Value, Values, Vertices, check_variant, explain, plan, plan_with, probe,
+    screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

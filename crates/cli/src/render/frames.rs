@@ -5,15 +5,16 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use voxlume::{Fault, Gpu, Passes, Renderer};
+use voxlume_measure::outfile::{self, OutFile};
+use voxlume_measure::picture::Kind;
+use voxlume_measure::{Frames, Progress as _};
 
-use super::{Args, camera, channel_shown, report};
+use super::{Args, channel_shown, report};
 use crate::Registry;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::outfile::{self, OutFile};
-use crate::picture::Kind;
-use crate::progress::{Progress, share};
-use crate::timing::{Frames, Numbers};
+use crate::progress::Progress;
+use crate::timing::Numbers;
 
 /// `A..B`: from A on, up to the one before B.
 pub fn numbers(text: &str) -> Result<Range<u32>, String> {
@@ -81,7 +82,7 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
         let fault = Fault::new(format!("nothing moves in `{}`", args.image.plan.scene.display()));
         return Err(fault.note("`--frames` needs an object, a light or a camera with a `path`").into());
     }
-    let name = camera(&scene, args.camera.as_deref())?.name.clone();
+    let name = scene.camera(args.camera.as_deref())?.name.clone();
     let fps = args.fps.unwrap_or(24.0);
     let time = |number: u32| f64::from(number) / fps;
     scene.set_time(time(range.start));
@@ -89,13 +90,17 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     args.image.plan(registry, &pipeline, &scene, None)?;
     let gpu = Gpu::open(args.adapter.as_deref())?;
     let plan = args.image.plan(registry, &pipeline, &scene, Some(&gpu))?;
-    let once: Vec<&str> =
-        plan.passes.iter().filter(|pass| pass.once).map(|pass| pass.name.as_str()).collect();
+    let once: Vec<&str> = plan
+        .passes
+        .iter()
+        .filter(|pass| pass.sources == Default::default())
+        .map(|pass| pass.name.as_str())
+        .collect();
     let once = once.join(", ");
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;
     progress.stage("rendering".into());
-    renderer.render(&scene, camera(&scene, Some(&name))?, Passes::All)?;
+    renderer.render(&scene, scene.camera(Some(&name))?, Passes::All)?;
 
     let mut frames = Frames::default();
     for number in range.clone() {
@@ -104,11 +109,11 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
             return Err(Failure::work(format!("interrupted; {done} of {all} frames were written")));
         }
         let done = frames.count() as f32 / range.len() as f32;
-        progress.repeated(share(&format!("frame {number}"), done));
+        progress.share(&format!("frame {number}"), done);
         scene.set_time(time(number));
         let start = Instant::now();
         renderer.update(&scene)?;
-        let times = renderer.render(&scene, camera(&scene, Some(&name))?, Passes::Changed)?;
+        let times = renderer.render(&scene, scene.camera(Some(&name))?, Passes::Changed)?;
         frames.push(times, start.elapsed().as_secs_f64() * 1e3);
 
         let image = &renderer.plan().resources[renderer.plan().output].name;

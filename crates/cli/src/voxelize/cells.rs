@@ -2,8 +2,9 @@
 
 use voxlume::Renderer;
 
+use voxlume_measure::picture::visible;
+
 use crate::failure::Failure;
-use crate::picture::visible;
 
 /// An occupied cell.
 #[derive(Clone, Copy, Debug, PartialEq)]

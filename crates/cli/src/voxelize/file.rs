@@ -4,7 +4,7 @@ use std::path::Path;
 
 use voxlume::{Fault, one_of};
 
-use crate::picture;
+use voxlume_measure::picture;
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 use voxlume::{Gpu, Pipeline, Renderer, ResourceKind, Scene};
+use voxlume_measure::{Frames, describe};
 use voxlume_report::{Device, Pass};
 
 use super::cells::bytes;
-use crate::devices;
 use crate::failure::Failure;
 use crate::table::Table;
-use crate::timing::{Frames, Resource};
+use crate::timing::Resource;
 
 /// Its JSON is version 1 of `voxelize --json`.
 #[derive(Debug, Serialize)]
@@ -65,7 +65,7 @@ impl Report {
         let (median_ms, spread_ms) = frames.total();
         Ok(Report {
             schema: 1,
-            device: devices::describe(&gpu.info),
+            device: describe(&gpu.info),
             scene: scene.name.clone(),
             triangles: plan.triangles,
             method,

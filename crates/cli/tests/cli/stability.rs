@@ -89,7 +89,7 @@ error: a grid of 4 × 4 × 4 voxels
 /// Every known miss stands in the book with its reason.
 #[test]
 fn the_book_lists_the_known_misses() {
-    let code = include_str!("../../src/stability/misses.rs");
+    let code = include_str!("../../../measure/src/stability/misses.rs");
     let book =
         include_str!("../../../../book/src/stability.md").split_whitespace().collect::<Vec<_>>().join(" ");
     let mut listed = 0;
