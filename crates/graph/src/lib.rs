@@ -3,6 +3,7 @@
 //! A [`Pipeline`] is a RON file; [`plan`] checks it against the shaders and storage formats, leaves out what the
 //! scene doesn't need, and gives a [`Plan`] that an engine carries out.
 
+mod builtin;
 mod bundle;
 mod entries;
 mod expansion;
@@ -23,6 +24,7 @@ mod prune;
 mod storage;
 mod variant;
 
+pub use builtin::PIPELINES;
 pub use bundle::Bundle;
 pub use expansion::{Expansion, Over, Run, screen_image};
 pub use explain::explain;

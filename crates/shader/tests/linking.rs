@@ -1,16 +1,11 @@
 //! What linking gives where nothing is wrong.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
+use common::library;
 use voxlume_fault::Source;
 use voxlume_shader::{Library, link};
-
-fn library(modules: &[(&str, &str)]) -> Library {
-    let mut library = Library::empty();
-    for (path, text) in modules {
-        library.insert(path, Source::new(format!("{path}.wgsl"), *text));
-    }
-    library
-}
 
 #[test]
 fn modules_once_dependencies_first() {
