@@ -7,7 +7,7 @@ use std::{env, fs, io};
 fn main() -> io::Result<()> {
     // Asked now and not when this was compiled: another checkout may share the folder of built files.
     let manifest = env::var_os("CARGO_MANIFEST_DIR").ok_or_else(|| io::Error::other("cargo sets it"))?;
-    let root = Path::new(&manifest).join("../../wgsl").canonicalize()?;
+    let root = Path::new(&manifest).join("wgsl").canonicalize()?;
     // Cargo looks at every file below a folder that is named here.
     println!("cargo::rerun-if-changed={}", root.display());
     let mut files = Vec::new();

@@ -6,9 +6,8 @@ use wgpu::util::DeviceExt;
 
 use crate::gpu;
 
-/// Links a WGSL text, whose entry point `main` takes one workgroup and writes `@group(0) @binding(0) var<storage,
-/// read_write> out: array<f32>`, and runs it. A texture is bound to `@group(1) @binding(0)` and a linear sampler to
-/// `@group(2) @binding(0)`, if they are used.
+/// Links a WGSL text, whose entry point `main` takes one workgroup and writes `var<storage, read_write> out:
+/// array<f32>`, and runs it. Besides it may use the modules' `volume_sampler`, and one texture, which is `texture`.
 ///
 /// # Panics
 /// The text is at fault, or the device.
@@ -54,21 +53,26 @@ pub fn run_kernel(
     {
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
-        let resources = [
-            Some(out.as_entire_binding()),
-            view.as_ref().map(wgpu::BindingResource::TextureView),
-            Some(wgpu::BindingResource::Sampler(&sampler)),
-        ];
-        for (group, resource) in (0..).zip(resources) {
-            let used = shader.bindings("main").iter().any(|binding| binding.group == group);
-            let Some(resource) = resource.filter(|_| used) else { continue };
-            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: None,
-                layout: &pipeline.get_bind_group_layout(group),
-                entries: &[wgpu::BindGroupEntry { binding: 0, resource }],
-            });
-            pass.set_bind_group(group, &bind_group, &[]);
-        }
+        let resource = |name: &str| match (name, &view) {
+            ("volume_sampler", _) => wgpu::BindingResource::Sampler(&sampler),
+            ("out", _) => out.as_entire_binding(),
+            (_, Some(view)) => wgpu::BindingResource::TextureView(view),
+            (name, None) => panic!("nothing for `{name}`"),
+        };
+        let bindings = shader.bindings("main");
+        let entries: Vec<_> = bindings
+            .iter()
+            .map(|binding| wgpu::BindGroupEntry {
+                binding: binding.binding,
+                resource: resource(&binding.name),
+            })
+            .collect();
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        pass.set_bind_group(0, &bind_group, &[]);
         pass.dispatch_workgroups(1, 1, 1);
     }
     let read = device.create_buffer(&wgpu::BufferDescriptor {

@@ -4,7 +4,7 @@
 use voxlume::{Request, Value};
 use voxlume_tests::{built_in, gi, gpu, noise_volume, picture, render, run_kernel};
 
-const OUT: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n";
+const OUT: &str = "var<storage, read_write> out: array<f32>;\n";
 
 fn kernel(imports: &str, body: &str) -> String {
     format!(
@@ -20,7 +20,7 @@ fn filtering_by_hand_is_filtering() {
         return;
     }
     let text = kernel(
-        "import package::common::volume::sample_volume;\n@group(1) @binding(0) var volume: texture_3d<f32>;",
+        "import package::common::volume::sample_volume;\nvar volume: texture_3d<f32>;",
         "let r = fract(f32(i) * vec4f(0.7548777, 0.5698403, 0.3819660, 0.2360680));
         out[i] = sample_volume(volume, r.xyz * 1.2 - 0.1, r.w * 5.0 - 0.5).x;",
     );

@@ -96,11 +96,12 @@ fn pipelines() {
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 4] = [
+const ALTERNATIVES: [(&str, &[&str]); 5] = [
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     ("effect", &["effect/diffuse", "effect/soft_shadow", "effect/ambient_occlusion", "effect/specular"]),
     ("encoding", &["encoding/rgba8", "encoding/rgba16float", "encoding/rgba32float"]),
     ("visitor", &["visitor/occupancy", "visitor/attributes"]),
+    ("texel", &["texel/rgba16float"]),
 ];
 
 #[test]

@@ -3,9 +3,9 @@
 // area that triangles cover.
 
 import package::common::conflict::{CONFLICT, CONFLICT_SUM, unpack_reflectance};
-import package::common::frame::frame;
+import package::common::grid::grid;
 
-@group(1) @binding(4) var<storage, read> attributes: array<u32>;
+var<storage, read> attributes: array<u32>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_VOXEL_EMISSION: bool = true;
@@ -55,10 +55,10 @@ fn voxel_surface(slot: u32) -> VoxelSurface {
     s.back = saturate(max(negative, other) * crossing);
     s.opacity = 1.0;
     if (HAS_COVERAGE) {
-        s.opacity = min(f32(attributes[first + ATTRIBUTE_STRIDE - 1]) / frame.attribute_scale, 1.0);
+        s.opacity = min(f32(attributes[first + ATTRIBUTE_STRIDE - 1]) / grid.attribute_scale, 1.0);
     }
     if (HAS_VOXEL_EMISSION) {
-        s.emission = attribute_vector(first + 11) * per_weight * frame.emission_max;
+        s.emission = attribute_vector(first + 11) * per_weight * grid.emission_max;
     }
     return s;
 }

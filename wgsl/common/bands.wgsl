@@ -1,11 +1,11 @@
 // Work that a triangle's own thread leaves to others. `item_ranks` holds the number of items before each triangle, those
 // with an alpha mask last, and the total at its end: an item is a band of the triangle's rows of columns in `balanced`, the whole triangle in `hybrid`.
 
-import package::common::frame::to_voxel;
+import package::common::grid::to_voxel;
 import package::common::mesh::{vertices, triangle_indices, triangle_range};
 import package::common::triangle_box::TriangleBox;
 
-@group(1) @binding(9) var<storage, read> item_ranks: array<u32>;
+var<storage, read> item_ranks: array<u32>;
 
 // Columns that a band should have.
 const BAND_COLUMNS = 32.0;

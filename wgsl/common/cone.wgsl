@@ -2,7 +2,7 @@
 // back: c += T·c₂, T −= T·α₂ with premultiplied c₂ (DVS §4, corrected).
 
 import package::common::cone_step::{cone_step, opacity_over, share_inside};
-import package::common::frame::frame;
+import package::common::grid::grid;
 import package::common::seen_ahead::{SeenAhead, all_ahead};
 import package::format::sample::{VOXEL_ONE_SIDED, voxel_sample, voxel_sample_ahead};
 
@@ -63,7 +63,7 @@ fn surface_cone(p_voxel: vec3f, normal: vec3f, direction: vec3f, sine: f32, reac
 
 // As `cone_trace`; without `lit` only the opacity counts.
 fn trace(cone: Cone, settings: ConeSettings, falloff: f32, lit: bool) -> vec4f {
-    let grid = vec3f(frame.grid_size);
+    let size = vec3f(grid.size);
     // Apart, so that what needs opacity alone fetches nothing else.
     var radiance = vec3f(0.0);
     var opacity = 0.0;
@@ -86,10 +86,10 @@ fn trace(cone: Cone, settings: ConeSettings, falloff: f32, lit: bool) -> vec4f {
         }
         var found: SeenAhead;
         if (lit) {
-            found = voxel_sample_ahead(p / grid, s.level, cone.direction, cone.origin / grid, hidden);
+            found = voxel_sample_ahead(p / size, s.level, cone.direction, cone.origin / size, hidden);
             hidden = found.behind;
         } else {
-            found = all_ahead(voxel_sample(p / grid, s.level, cone.direction));
+            found = all_ahead(voxel_sample(p / size, s.level, cone.direction));
         }
         // Doubling cones take few samples, each the share of a surface that its filter finds: shares add up.
         // Spheres follow each other as layers do; but a linear filter shows a surface to two of them in turn, so each

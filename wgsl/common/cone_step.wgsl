@@ -2,7 +2,7 @@
 // level 0.
 
 import package::common::cone::{Cone, ConeSettings, STEPPER_DOUBLING};
-import package::common::frame::frame;
+import package::common::grid::grid;
 import package::format::sample::VOXEL_ONE_SIDED;
 
 const COS_30 = 0.8660254;
@@ -23,7 +23,7 @@ fn clear_level(cone: Cone, t: f32) -> f32 {
         // point stand a cell high, and show up in cells that just clear its plane.
         clearance = EDGEWISE * min(clearance, cone.clearance + cone.clearance_growth * t);
     }
-    return floor(min(log2(max(clearance, 1.0)), f32(frame.level_count - 1)));
+    return floor(min(log2(max(clearance, 1.0)), f32(grid.level_count - 1)));
 }
 
 // A sample of a cone: where, on which level, and for how much of the axis it stands.
@@ -57,8 +57,8 @@ fn opacity_over(alpha: f32, ratio: f32) -> f32 {
 
 // Beyond the outermost cells' centres the sampler repeats them: fade them out as empty neighbours would.
 fn share_inside(p: vec3f, cell: f32) -> f32 {
-    let grid = vec3f(frame.grid_size);
-    let beyond = max(abs(p - 0.5 * grid) - 0.5 * (grid - cell), vec3f(0.0)) / cell;
+    let size = vec3f(grid.size);
+    let beyond = max(abs(p - 0.5 * size) - 0.5 * (size - cell), vec3f(0.0)) / cell;
     let share = max(1.0 - beyond, vec3f(0.0));
     return share.x * share.y * share.z;
 }

@@ -5,7 +5,7 @@
 import package::common::basis::basis_around;
 import package::common::cone::{Cone, ConeSettings, cone_trace, surface_cone};
 import package::common::constants::{PI, TAU};
-import package::common::frame::frame;
+import package::common::environment::environment;
 
 const DIFFUSE_SINE = 0.5;
 const FULL_RING = 5u;
@@ -40,7 +40,7 @@ fn gather_diffuse(p_voxel: vec3f, normal: vec3f, cones: DiffuseCones, settings: 
     var sum = vec4f(0.0);
     for (var i = 0u; i <= cones.ring; i++) {
         let value = cone_trace(diffuse_cone(p_voxel, tangents, cones, i, start, 1e30), settings, 0.0);
-        sum += diffuse_weight(cones, i) * vec4f(value.rgb + (1.0 - value.a) * frame.sky, value.a);
+        sum += diffuse_weight(cones, i) * vec4f(value.rgb + (1.0 - value.a) * environment.sky, value.a);
     }
     return vec4f(PI * sum.rgb, sum.a);
 }

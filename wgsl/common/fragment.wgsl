@@ -1,8 +1,7 @@
 // What a triangle shows to a voxel: its point nearest the voxel's centre (RAU §4.1.5, without leaving the
 // triangle) and the texture level whose texels are as large as the voxel.
 
-import package::common::frame::frame;
-import package::common::material::{Material, shading_normal, HAS_TEXTURES};
+import package::common::material::{Material, shading_normal, HAS_TEXTURES, TEXTURE_SIZE};
 import package::common::mesh::{vertices, triangle_indices};
 import package::common::octahedral::{unpack_normal, unpack_tangent};
 import package::common::range::unit_or;
@@ -38,7 +37,7 @@ fn corners_of(triangle: u32, v: array<vec3f, 3>) -> Corners {
         c.uv = array(vertices[i.x].uv, vertices[i.y].uv, vertices[i.z].uv);
         let e1 = c.uv[1] - c.uv[0];
         let e2 = c.uv[2] - c.uv[0];
-        let texels = abs(e1.x * e2.y - e1.y * e2.x) * f32(frame.texture_size) * f32(frame.texture_size);
+        let texels = abs(e1.x * e2.y - e1.y * e2.x) * TEXTURE_SIZE * TEXTURE_SIZE;
         let voxels = length(cross(v[1] - v[0], v[2] - v[0]));
         // Whole, so that one level is read and not two.
         c.lod = round(0.5 * log2(max(texels / max(voxels, 1e-20), 1.0)));

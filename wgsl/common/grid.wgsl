@@ -1,7 +1,32 @@
-// The bitmask's layout: a word holds a brick of 4 x 4 x 2 cells, bricks run x, y, z within a level,
-// levels follow each other, the finest first.
+// A voxel grid, and the layout of its bitmask: a word holds a brick of 4 x 4 x 2 cells, bricks run x, y, z within a
+// level, levels follow each other, the finest first. `_voxel` positions count voxels from the grid's lowest corner.
 
-import package::common::frame::frame;
+struct Grid {
+    // Lowest corner, world units relative to the scene's origin.
+    min: vec3f,
+    // World units.
+    voxel_size: f32,
+    // Voxels along x, y, z.
+    size: vec3u,
+    level_count: u32,
+    // Fixed-point units per 1.0 of an attribute; chosen so that no sum can overflow.
+    attribute_scale: f32,
+    // Emission that counts as 1.0, W·m⁻²·sr⁻¹.
+    emission_max: f32,
+    padding: vec2u,
+    // First word of each level in the occupancy bitmask, four levels a vector.
+    level_words: array<vec4u, 4>,
+}
+
+var<uniform> grid: Grid;
+
+fn to_voxel(position: vec3f) -> vec3f {
+    return (position - grid.min) / grid.voxel_size;
+}
+
+fn from_voxel(p_voxel: vec3f) -> vec3f {
+    return grid.min + p_voxel * grid.voxel_size;
+}
 
 // One level's run in the list of cells, and the workgroups of 64 that cover it.
 struct LevelRun {
@@ -11,7 +36,7 @@ struct LevelRun {
 }
 
 fn level_size(level: u32) -> vec3u {
-    return frame.grid_size >> vec3u(level);
+    return grid.size >> vec3u(level);
 }
 
 fn brick_count(level: u32) -> vec3u {
@@ -25,7 +50,7 @@ fn brick_at(index: u32, level: u32) -> vec3u {
 }
 
 fn level_first_word(level: u32) -> u32 {
-    return frame.level_words[level / 4][level % 4];
+    return grid.level_words[level / 4][level % 4];
 }
 
 // Cells along a brick's sides as powers of two, and how far apart their bits are.

@@ -28,7 +28,7 @@ struct Light {
     corners: array<vec4f, 4>,
 }
 
-@group(0) @binding(4) var<storage, read> lights: array<Light>;
+var<storage, read> lights: array<Light>;
 
 // A scene without a kind of light has no branch for it.
 override HAS_DIRECTIONAL: bool = true;

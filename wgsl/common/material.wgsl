@@ -1,6 +1,5 @@
 // glTF metallic-roughness materials. Textures are layers of two arrays, colour (sRGB) and data (linear).
 
-
 struct Material {
     base_color: vec4f,
     emission: vec3f,
@@ -17,15 +16,17 @@ struct Material {
     emission_layer: i32,
 }
 
-@group(0) @binding(3) var<storage, read> materials: array<Material>;
-@group(0) @binding(5) var color_textures: texture_2d_array<f32>;
-@group(0) @binding(6) var data_textures: texture_2d_array<f32>;
-@group(0) @binding(7) var material_sampler: sampler;
+var<storage, read> materials: array<Material>;
+var color_textures: texture_2d_array<f32>;
+var data_textures: texture_2d_array<f32>;
+var material_sampler: sampler;
 
 // Left out of a pipeline whose scene has no such material.
 override HAS_TEXTURES: bool = true;
 override HAS_ALPHA_MASK: bool = true;
 override HAS_EMISSION: bool = true;
+// Texels along a side of a texture layer.
+override TEXTURE_SIZE: f32 = 1024.0;
 
 fn base_color(material: Material, uv: vec2f, lod: f32) -> vec4f {
     if (HAS_TEXTURES && material.base_color_layer >= 0) {

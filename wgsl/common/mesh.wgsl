@@ -10,8 +10,8 @@ struct Vertex {
     uv: vec2f,
 }
 
-@group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(2) var<storage, read> indices: array<u32>;
+var<storage, read> vertices: array<Vertex>;
+var<storage, read> indices: array<u32>;
 
 // Triangles that a pass is about: of all, of those that never move, or of those that may, which come last, those with an
 // alpha mask or those without.
@@ -22,7 +22,7 @@ struct TriangleRange {
     item_first: u32,
 }
 
-@group(3) @binding(14) var<uniform> triangle_range: TriangleRange;
+var<uniform> triangle_range: TriangleRange;
 
 // Triangles count from the range's first.
 fn triangle_indices(triangle: u32) -> vec3u {

@@ -7,7 +7,7 @@ struct OutOfRange {
     worst: atomic<u32>,
 }
 
-@group(2) @binding(15) var<storage, read_write> out_of_range: OutOfRange;
+var<storage, read_write> out_of_range: OutOfRange;
 
 // No encoding that has a range tells its largest number from one that is larger by this share.
 const ROUNDING = 1.0 / 4096.0;

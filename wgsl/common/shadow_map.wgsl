@@ -2,9 +2,9 @@
 
 import package::common::light::{Light, LIGHT_POINT};
 
-@group(0) @binding(8) var shadow_maps: texture_depth_2d_array;
-@group(0) @binding(9) var shadow_sampler: sampler_comparison;
-@group(0) @binding(10) var<storage, read> shadow_matrices: array<mat4x4f>;
+var shadow_maps: texture_depth_2d_array;
+var shadow_sampler: sampler_comparison;
+var<storage, read> shadow_matrices: array<mat4x4f>;
 
 fn cube_face(v: vec3f) -> i32 {
     let a = abs(v);

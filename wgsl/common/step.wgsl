@@ -4,4 +4,4 @@ struct Step {
     level: u32,
 }
 
-@group(3) @binding(15) var<uniform> step_params: Step;
+var<uniform> step_params: Step;

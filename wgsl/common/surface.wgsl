@@ -1,11 +1,12 @@
 // What the camera sees through a pixel, as every effect gets it.
 
-import package::common::frame::{frame, to_voxel};
+import package::common::camera::camera;
+import package::common::grid::to_voxel;
 
-@group(0) @binding(11) var albedo: texture_2d<f32>;
-@group(0) @binding(12) var normal: texture_2d<f32>;
-@group(0) @binding(13) var geometry: texture_2d<f32>;
-@group(0) @binding(14) var depth: texture_depth_2d;
+var albedo: texture_2d<f32>;
+var normal: texture_2d<f32>;
+var geometry: texture_2d<f32>;
+var depth: texture_depth_2d;
 
 struct Surface {
     // World units, relative to the grid's centre; and the same in voxels.
@@ -22,7 +23,9 @@ struct Surface {
     metallic: f32,
     // Perceptual, [0, 1]; GGX α is its square.
     roughness: f32,
-    // Which layer of its image the effect is asked for.
+    // The texel of the effect's own image that is asked for, that image's size, and the layer.
+    pixel: vec2u,
+    image_size: vec2u,
     layer: u32,
     // [0, 1): which of the sets of directions that neighbouring pixels share out this one traces.
     turn: f32,
@@ -31,8 +34,18 @@ struct Surface {
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {
-    let ndc = (vec2f(pixel) + 0.5) / vec2f(frame.screen) * 2.0 - 1.0;
-    return frame.forward + ndc.x * frame.right - ndc.y * frame.up;
+    let ndc = (vec2f(pixel) + 0.5) / vec2f(camera.screen) * 2.0 - 1.0;
+    return camera.forward + ndc.x * camera.right - ndc.y * camera.up;
+}
+
+// The pixel of the screen in the middle of a texel of an image that covers the screen with `size` texels.
+fn screen_pixel(texel: vec2u, size: vec2u) -> vec2u {
+    return vec2u((vec2f(texel) + 0.5) * vec2f(camera.screen) / vec2f(size));
+}
+
+// The texel of an image of `size` texels that a pixel of the screen lies in.
+fn image_texel(pixel: vec2u, size: vec2u) -> vec2u {
+    return vec2u((vec2f(pixel) + 0.5) * vec2f(size) / vec2f(camera.screen));
 }
 
 fn surface_load(pixel: vec2u) -> Surface {
@@ -45,7 +58,7 @@ fn surface_load(pixel: vec2u) -> Surface {
     if (!s.hit) {
         return s;
     }
-    s.position = frame.eye + ray * (frame.near / d);
+    s.position = camera.eye + ray * (camera.near / d);
     s.position_voxel = to_voxel(s.position);
     let color = textureLoad(albedo, pixel, 0);
     let shading = textureLoad(normal, pixel, 0);

@@ -2,7 +2,7 @@
 // 6-separable). Coordinates are voxels, swizzled so that the normal's largest component is z: a column
 // runs along z, its base is a cell of the plane of maximal projection.
 
-import package::common::frame::frame;
+import package::common::grid::grid;
 
 override CONSERVATIVE: bool = true;
 
@@ -73,7 +73,7 @@ fn triangle_box(v: array<vec3f, 3>) -> TriangleBox {
     let n = swizzle(normal_ws, b.axis);
     b.area = 0.5 * abs(n.z);
     let p = array(swizzle(v[0], b.axis), swizzle(v[1], b.axis), swizzle(v[2], b.axis));
-    let grid_max = vec3i(swizzle(vec3f(frame.grid_size), b.axis)) - 1;
+    let grid_max = vec3i(swizzle(vec3f(grid.size), b.axis)) - 1;
     let lowest = min(p[0], min(p[1], p[2]));
     let highest = max(p[0], max(p[1], p[2]));
     // Clamped before the conversion, so that far-off triangles stay in integer range.

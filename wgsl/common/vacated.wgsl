@@ -1,9 +1,9 @@
-// Cells that were occupied in the frame before and are not any more, as the bits of a word of their level.
+// Cells that were occupied when the volume was last stored and are not any more, as the bits of a word of their level.
 
 import package::common::grid::{brick_count, level_first_word};
 import package::common::voxels::occupancy;
 
-@group(1) @binding(11) var<storage, read> occupancy_before: array<u32>;
+var<storage, read> occupancy_before: array<u32>;
 
 // `index` counts the level's words.
 fn vacated_bits(index: u32, level: u32) -> u32 {

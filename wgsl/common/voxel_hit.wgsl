@@ -1,7 +1,6 @@
 // The first occupied cell of a level along a ray, and the face through which the ray enters it. Empty bricks are
 // passed at a stride, cells by whole numbers (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
 
-import package::common::frame::frame;
 import package::common::grid::{cell_bit, cell_word, level_size};
 import package::common::voxels::occupancy;
 

@@ -1,7 +1,6 @@
 // A ray through the occupancy bitmask, empty bricks at a stride (DVS §2.2's occlusion by ray, on VGI's bitmask).
 
-import package::common::frame::frame;
-import package::common::grid::{cell_word, cell_bit};
+import package::common::grid::{grid, cell_word, cell_bit};
 import package::common::voxels::occupancy;
 
 // Whether any occupied cell lies on origin + t·direction with 0 <= t < reach; voxel units.
@@ -10,10 +9,10 @@ fn ray_blocked(origin: vec3f, direction: vec3f, reach: f32) -> bool {
     let slope = select(direction, vec3f(1e-12), abs(direction) < vec3f(1e-12));
     let inverse = 1.0 / slope;
     let forwards = slope > vec3f(0.0);
-    let size = vec3f(frame.grid_size);
+    let size = vec3f(grid.size);
     var t = 0.0;
     // Each step leaves a cell or a brick; a straight line meets at most the sum of the grid's sides.
-    let most = frame.grid_size.x + frame.grid_size.y + frame.grid_size.z;
+    let most = grid.size.x + grid.size.y + grid.size.z;
     for (var i = 0u; i < most; i++) {
         let p = origin + t * slope;
         if (t >= reach || any(p < vec3f(0.0)) || any(p >= size)) {

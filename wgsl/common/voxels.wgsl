@@ -4,10 +4,10 @@
 
 import package::common::grid::{cell_word, cell_bit, unpack_cell, LevelRun};
 
-@group(1) @binding(0) var<storage, read> occupancy: array<u32>;
-@group(1) @binding(1) var<storage, read> ranks: array<u32>;
-@group(1) @binding(2) var<storage, read> cells: array<u32>;
-@group(1) @binding(3) var<storage, read> levels: array<LevelRun>;
+var<storage, read> occupancy: array<u32>;
+var<storage, read> ranks: array<u32>;
+var<storage, read> cells: array<u32>;
+var<storage, read> levels: array<LevelRun>;
 
 fn is_occupied(cell: vec3u, level: u32) -> bool {
     return ((occupancy[cell_word(cell, level)] >> cell_bit(cell)) & 1) != 0;

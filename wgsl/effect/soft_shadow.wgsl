@@ -3,7 +3,8 @@
 // the layer.
 
 import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_opacity, end_at_plane, surface_cone};
-import package::common::frame::{frame, to_voxel};
+import package::common::environment::environment;
+import package::common::grid::{grid, to_voxel};
 import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
 import package::common::surface::Surface;
@@ -24,7 +25,7 @@ fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params:
         return 0.0;
     }
     let sine = incidence.tangent * inverseSqrt(1.0 + incidence.tangent * incidence.tangent);
-    let reach = incidence.distance / frame.voxel_size;
+    let reach = incidence.distance / grid.voxel_size;
     var cone = surface_cone(surface.position_voxel, surface.normal_geometric, incidence.direction, sine, reach, params.start);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // The observer may be behind a light of two sides.
@@ -43,7 +44,7 @@ fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
 fn effect(surface: Surface, params: Params) -> vec4f {
     let first = surface.layer * 4;
     var visibility = vec4f(light_visibility(surface, lights[first], params));
-    for (var i = 1u; i < 4 && first + i < frame.light_count; i++) {
+    for (var i = 1u; i < 4 && first + i < environment.light_count; i++) {
         visibility[i] = light_visibility(surface, lights[first + i], params);
     }
     return visibility;

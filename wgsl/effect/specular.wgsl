@@ -2,7 +2,7 @@
 // W·m⁻²·sr⁻¹, averaged over a cone as wide as the surface's GGX lobe.
 
 import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
-import package::common::frame::frame;
+import package::common::environment::environment;
 import package::common::surface::Surface;
 
 struct Params {
@@ -25,5 +25,5 @@ fn effect(surface: Surface, params: Params) -> vec4f {
     let sine = lobe_sine(surface.roughness);
     let cone = surface_cone(surface.position_voxel, surface.normal_geometric, direction, sine, 1e30, params.start);
     let value = cone_trace(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0);
-    return vec4f(value.rgb + (1.0 - value.a) * frame.sky, value.a);
+    return vec4f(value.rgb + (1.0 - value.a) * environment.sky, value.a);
 }

@@ -17,10 +17,10 @@ struct Params {
     start: f32,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
+var<uniform> params: Params;
 // The light that stays from bounce to bounce: direct light and emission.
-@group(1) @binding(5) var<storage, read> direct: array<vec4f>;
-@group(1) @binding(6) var<storage, read_write> bounced: array<vec4f>;
+var<storage, read> direct: array<vec4f>;
+var<storage, read_write> bounced: array<vec4f>;
 
 
 // Without: what is reflected, alone.

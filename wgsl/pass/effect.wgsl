@@ -1,27 +1,29 @@
-// Runs an effect over the screen.
+// Runs an effect for every texel of its image.
 
-import package::common::range::in_half_range;
-import package::common::surface::surface_load;
+import package::common::surface::{screen_pixel, surface_load};
 import package::common::turn::turn_at;
 import package::effect::{Params, effect};
+import package::texel::{image, store_texel};
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+var<uniform> params: Params;
 
-// Whether the pixels of a tile of 4 × 4 share out the directions; `interleave` then takes their mean.
+// Whether the texels of a tile of 4 × 4 share out the directions; `interleave` then takes their mean.
 override INTERLEAVE: bool = false;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-    if (any(id.xy >= textureDimensions(image))) {
+    let size = textureDimensions(image);
+    if (any(id.xy >= size)) {
         return;
     }
-    var surface = surface_load(id.xy);
+    var surface = surface_load(screen_pixel(id.xy, size));
     var value = vec4f(0.0);
     if (surface.hit) {
+        surface.pixel = id.xy;
+        surface.image_size = size;
         surface.layer = id.z;
         surface.turn = select(0.0, turn_at(id.xy), INTERLEAVE);
         value = effect(surface, params);
     }
-    textureStore(image, id.xy, id.z, vec4f(in_half_range(value.rgb), value.a));
+    store_texel(id.xy, id.z, value);
 }

@@ -5,7 +5,7 @@ import package::common::attributes::voxel_surface;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 
-@group(1) @binding(5) var<storage, read_write> direct: array<vec4f>;
+var<storage, read_write> direct: array<vec4f>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

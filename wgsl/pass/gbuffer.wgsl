@@ -1,7 +1,7 @@
 // What the camera sees: four targets and depth, one draw for the whole scene.
 
-import package::common::frame::frame;
-import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK};
+import package::common::camera::camera;
+import package::common::material::{materials, base_color, emission, roughness_metallic, shading_normal, HAS_ALPHA_MASK, TEXTURE_SIZE};
 import package::common::mesh::vertices;
 import package::common::octahedral::{unpack_normal, unpack_tangent};
 import package::common::range::{in_half_range, unit_or};
@@ -19,7 +19,7 @@ struct Varyings {
 fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     let v = vertices[index];
     var o: Varyings;
-    o.clip = frame.view_projection * vec4f(v.position, 1.0);
+    o.clip = camera.view_projection * vec4f(v.position, 1.0);
     o.position = v.position;
     o.normal = unpack_normal(v.normal);
     o.tangent = unpack_tangent(v.tangent);
@@ -45,8 +45,8 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     if (!front && material.double_sided == 0) {
         discard;
     }
-    let texel_x = dpdx(v.uv) * f32(frame.texture_size);
-    let texel_y = dpdy(v.uv) * f32(frame.texture_size);
+    let texel_x = dpdx(v.uv) * TEXTURE_SIZE;
+    let texel_y = dpdy(v.uv) * TEXTURE_SIZE;
     let lod = 0.5 * log2(max(max(dot(texel_x, texel_x), dot(texel_y, texel_y)), 1e-8));
     let color = base_color(material, v.uv, lod);
     if (HAS_ALPHA_MASK && color.a < material.alpha_cutoff) {
@@ -54,7 +54,7 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     }
     let facing = select(-1.0, 1.0, front);
     // In voxels, so that neither tiny nor huge scenes leave the range of squares.
-    let flat = unit_or(cross(dpdy(v.position) / frame.voxel_size, dpdx(v.position) / frame.voxel_size), v.normal);
+    let flat = unit_or(cross(dpdy(v.position) / camera.voxel_size, dpdx(v.position) / camera.voxel_size), v.normal);
     let interpolated = unit_or(v.normal, flat * facing);
     let surface = roughness_metallic(material, v.uv, lod);
     var o: Targets;
@@ -62,7 +62,7 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     // From behind, the surface is turned round with what its map shows.
     o.normal = vec4f(shading_normal(material, v.uv, lod, interpolated, v.tangent) * facing, surface.x);
     // Derivatives give the plane; the camera's side gives the sign.
-    o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, frame.eye - v.position) > 0.0), 1.0);
+    o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, camera.eye - v.position) > 0.0), 1.0);
     // Only the front emits, unless both sides are shaded.
     o.emission = vec4f(in_half_range(emission(material, v.uv, lod)), 1.0);
     return o;

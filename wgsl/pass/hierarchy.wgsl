@@ -4,7 +4,7 @@
 import package::common::grid::{brick_at, brick_count, level_first_word};
 import package::common::step::step_params;
 
-@group(1) @binding(0) var<storage, read_write> occupancy: array<u32>;
+var<storage, read_write> occupancy: array<u32>;
 
 // The 2 x 2 x 1 parents of a brick's 4 x 4 x 2 children, as the low bits of rows 0 and 1.
 fn parents(word: u32) -> u32 {

@@ -3,7 +3,7 @@
 import package::common::bands::item_range;
 import package::common::dispatch::dispatch_groups;
 
-@group(1) @binding(7) var<storage, read_write> item_groups: vec4u;
+var<storage, read_write> item_groups: vec4u;
 
 // Triangles to draw, or workgroups of 64 threads with an item each.
 override DRAWN: bool = false;

@@ -1,20 +1,19 @@
 // Where each level's cells begin in the list, how many they are, and how many workgroups cover them.
 
-import package::common::frame::frame;
-import package::common::grid::{level_first_word, LevelRun};
+import package::common::grid::{grid, level_first_word, LevelRun};
 import package::common::dispatch::dispatch_groups;
 
-@group(1) @binding(1) var<storage, read> ranks: array<u32>;
-@group(1) @binding(3) var<storage, read_write> levels: array<LevelRun>;
+var<storage, read> ranks: array<u32>;
+var<storage, read_write> levels: array<LevelRun>;
 
 @compute @workgroup_size(16)
 fn main(@builtin(local_invocation_index) level: u32) {
-    if (level >= frame.level_count) {
+    if (level >= grid.level_count) {
         return;
     }
     let first = ranks[level_first_word(level)];
     var end = ranks[arrayLength(&ranks) - 1];
-    if (level + 1 < frame.level_count) {
+    if (level + 1 < grid.level_count) {
         end = ranks[level_first_word(level + 1)];
     }
     levels[level] = LevelRun(dispatch_groups(end - first, 64), first, end - first);

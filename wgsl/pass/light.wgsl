@@ -2,7 +2,8 @@
 
 import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
-import package::common::frame::{frame, from_voxel, to_voxel};
+import package::common::environment::environment;
+import package::common::grid::{grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
@@ -18,14 +19,11 @@ struct Params {
     parts: u32,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
-@group(1) @binding(5) var<storage, read_write> direct: array<vec4f>;
+var<uniform> params: Params;
+var<storage, read_write> direct: array<vec4f>;
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
-// What the voxels reflect of gathered emission; direct light is added to it.
-@group(1) @binding(6) var<storage, read_write> emitted: array<vec4f>;
-override HAS_EMITTED: bool = false;
 
 // How far over a plane of this normal the cells that it touches reach, in voxels.
 fn cell_height(normal: vec3f) -> f32 {
@@ -38,7 +36,7 @@ fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f)
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
         return shadow_map_visibility(light, from_voxel(origin));
     }
-    var reach = incidence.distance / frame.voxel_size - dot(lift, incidence.direction);
+    var reach = incidence.distance / grid.voxel_size - dot(lift, incidence.direction);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // Stops short of the voxels of the light itself.
         let cosine = dot(light.direction, incidence.direction);
@@ -52,7 +50,7 @@ fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
     // The surface lies at most half a voxel from the voxel's centre; the centre stands for it.
     let position = from_voxel(p_voxel);
     var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.light_count; i++) {
+    for (var i = 0u; i < environment.light_count; i++) {
         let light = lights[i];
         let whole = light_incidence(light, position, normal);
         if (all(whole.irradiance <= vec3f(0.0))) {
@@ -89,9 +87,5 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             arriving += (irradiance(p_voxel, normal, turn) + irradiance(p_voxel, -normal, turn)) / 6.0;
         }
     }
-    let radiance = surface.emission + surface.albedo / PI * arriving;
-    direct[slot] = vec4f(radiance, 1.0);
-    if (HAS_EMITTED) {
-        emitted[slot] = vec4f(radiance + emitted[slot].rgb, 1.0);
-    }
+    direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving, 1.0);
 }

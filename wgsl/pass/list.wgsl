@@ -1,16 +1,15 @@
 // The list of occupied cells, all levels, each at its rank (RAU §4.1.4 and §5.4): no cell twice, no counter.
 
-import package::common::frame::frame;
-import package::common::grid::{brick_at, level_first_word, bit_offset, pack_cell};
+import package::common::grid::{grid, brick_at, level_first_word, bit_offset, pack_cell};
 import package::common::dispatch::dispatch_index;
 
-@group(1) @binding(0) var<storage, read> occupancy: array<u32>;
-@group(1) @binding(1) var<storage, read> ranks: array<u32>;
-@group(1) @binding(2) var<storage, read_write> cells: array<u32>;
+var<storage, read> occupancy: array<u32>;
+var<storage, read> ranks: array<u32>;
+var<storage, read_write> cells: array<u32>;
 
 fn list_word(word: u32) {
     var level = 0u;
-    while (level + 1 < frame.level_count && level_first_word(level + 1) <= word) {
+    while (level + 1 < grid.level_count && level_first_word(level + 1) <= word) {
         level++;
     }
     let brick = brick_at(word - level_first_word(level), level);

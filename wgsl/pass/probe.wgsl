@@ -21,8 +21,8 @@ struct Probed {
     known: f32,
 }
 
-@group(1) @binding(12) var<storage, read> probes: array<Probe>;
-@group(1) @binding(13) var<storage, read_write> probed: array<Probed>;
+var<storage, read> probes: array<Probe>;
+var<storage, read_write> probed: array<Probed>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -5,9 +5,9 @@ import package::common::dispatch::dispatch_index;
 
 const RUN = 64u;
 
-@group(1) @binding(10) var<storage, read_write> scan_values: array<u32>;
-@group(1) @binding(0) var<storage, read> occupancy: array<u32>;
-@group(1) @binding(11) var<storage, read_write> scan_runs: array<u32>;
+var<storage, read_write> scan_values: array<u32>;
+var<storage, read> occupancy: array<u32>;
+var<storage, read_write> scan_runs: array<u32>;
 
 override COUNTS_BITS: bool = false;
 

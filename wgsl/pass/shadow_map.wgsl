@@ -4,7 +4,7 @@ import package::common::mesh::vertices;
 import package::common::material::{materials, base_color, HAS_ALPHA_MASK};
 import package::common::step::step_params;
 
-@group(0) @binding(10) var<storage, read> shadow_matrices: array<mat4x4f>;
+var<storage, read> shadow_matrices: array<mat4x4f>;
 
 struct Varyings {
     @builtin(position) clip: vec4f,

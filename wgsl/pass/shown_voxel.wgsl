@@ -27,7 +27,7 @@ struct Params {
     direction: vec3f,
 }
 
-@group(3) @binding(0) var<uniform> params: Params;
+var<uniform> params: Params;
 
 // Reflectance.
 const CHANNEL_ALBEDO = 0u;

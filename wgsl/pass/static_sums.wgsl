@@ -4,10 +4,10 @@ import package::common::dispatch::dispatch_index;
 import package::common::grid::{cell_bit, cell_word};
 import package::common::voxels::level_cell;
 
-@group(1) @binding(4) var<storage, read_write> attributes: array<u32>;
-@group(1) @binding(5) var<storage, read> static_occupancy: array<u32>;
-@group(1) @binding(6) var<storage, read> static_ranks: array<u32>;
-@group(1) @binding(7) var<storage, read> static_attributes: array<u32>;
+var<storage, read_write> attributes: array<u32>;
+var<storage, read> static_occupancy: array<u32>;
+var<storage, read> static_ranks: array<u32>;
+var<storage, read> static_attributes: array<u32>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 

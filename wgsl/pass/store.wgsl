@@ -5,7 +5,10 @@ import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::format::store::voxel_store;
 
-@group(1) @binding(6) var<storage, read> slot_radiance: array<vec4f>;
+var<storage, read> slot_radiance: array<vec4f>;
+// What the voxels reflect of gathered emission and sky, beside it.
+var<storage, read> emitted: array<vec4f>;
+override HAS_EMITTED: bool = false;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -13,6 +16,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var cell: vec3u;
     if (level_cell(slot, 0, &cell)) {
         let surface = voxel_surface(slot);
-        voxel_store(cell, slot_radiance[slot].rgb, surface.normal, surface.opacity);
+        var radiance = slot_radiance[slot].rgb;
+        if (HAS_EMITTED) {
+            radiance += emitted[slot].rgb;
+        }
+        voxel_store(cell, radiance, surface.normal, surface.opacity);
     }
 }

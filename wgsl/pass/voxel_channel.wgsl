@@ -5,7 +5,7 @@ import package::common::dispatch::dispatch_index;
 import package::pass::shown_voxel::{ShownVoxel, pack_shown_normal, params, CHANNEL_ALBEDO, CHANNEL_NORMAL, CHANNEL_EMISSION};
 import package::common::voxels::level_cell;
 
-@group(1) @binding(6) var<storage, read_write> shown_voxels: array<ShownVoxel>;
+var<storage, read_write> shown_voxels: array<ShownVoxel>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

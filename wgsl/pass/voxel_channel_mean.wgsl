@@ -5,7 +5,7 @@ import package::pass::shown_voxel::{ShownVoxel, pack_shown_normal, shown_normal,
 import package::common::step::step_params;
 import package::common::voxels::{cell_rank, is_occupied, level_cell, levels};
 
-@group(1) @binding(6) var<storage, read_write> shown_voxels: array<ShownVoxel>;
+var<storage, read_write> shown_voxels: array<ShownVoxel>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -1,13 +1,14 @@
 // What the volume holds of each cell of a level, as cones find it at the cell's centre.
 
 import package::common::dispatch::dispatch_index;
-import package::common::frame::{frame, to_voxel};
+import package::common::camera::camera;
+import package::common::grid::{grid, to_voxel};
 import package::pass::shown_voxel::{ShownVoxel, params, CHANNEL_LIT, CHANNEL_OPACITY};
 import package::common::step::step_params;
 import package::common::voxels::{level_cell, levels};
 import package::format::sample::voxel_sample;
 
-@group(1) @binding(6) var<storage, read_write> shown_voxels: array<ShownVoxel>;
+var<storage, read_write> shown_voxels: array<ShownVoxel>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -20,9 +21,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // Whoever is at that side looks the other way.
     var direction = -normalize(params.direction);
     if (params.channel == CHANNEL_LIT) {
-        direction = normalize(p_voxel - to_voxel(frame.eye));
+        direction = normalize(p_voxel - to_voxel(camera.eye));
     }
-    let found = voxel_sample(p_voxel / vec3f(frame.grid_size), f32(step_params.level), direction);
+    let found = voxel_sample(p_voxel / vec3f(grid.size), f32(step_params.level), direction);
     let radiance = found.rgb / max(found.a, 1e-6);
     let color = select(radiance, vec3f(found.a), params.channel == CHANNEL_OPACITY);
     shown_voxels[levels[step_params.level].first + index].color = color;

@@ -1,23 +1,24 @@
 // The voxels of a level as cubes, seen by the camera: a ray for each pixel through the occupancy bitmask.
 
-import package::common::frame::{frame, to_voxel};
+import package::common::camera::camera;
+import package::common::grid::to_voxel;
 import package::pass::shown_voxel::{ShownVoxel, params, CHANNEL_OCCUPANCY};
 import package::common::step::step_params;
 import package::common::surface::camera_ray;
 import package::common::voxel_hit::first_voxel;
 import package::common::voxels::cell_rank;
 
-@group(1) @binding(6) var<storage, read> shown_voxels: array<ShownVoxel>;
-@group(3) @binding(1) var image: texture_storage_2d_array<rgba16float, write>;
+var<storage, read> shown_voxels: array<ShownVoxel>;
+var image: texture_storage_2d_array<rgba16float, write>;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
-    if (any(id.xy >= frame.screen)) {
+    if (any(id.xy >= camera.screen)) {
         return;
     }
     let level = step_params.level;
     let ray = normalize(camera_ray(id.xy));
-    let hit = first_voxel(to_voxel(frame.eye) * exp2(-f32(level)), ray, level);
+    let hit = first_voxel(to_voxel(camera.eye) * exp2(-f32(level)), ray, level);
     var value = vec4f(0.0);
     if (hit.found) {
         var color = shown_voxels[cell_rank(hit.cell, level)].color;

@@ -3,7 +3,7 @@
 
 import package::common::bands::{item_range, item_triangle, triangle_voxel};
 import package::common::column_walk::visit_column;
-import package::common::frame::frame;
+import package::common::grid::grid;
 import package::common::triangle_box::{EdgeBounds, TriangleBox, swizzle, triangle_box};
 import package::visitor::visitor;
 
@@ -77,7 +77,7 @@ fn vertex_main(@builtin(vertex_index) index: u32) -> Varyings {
     }
     let corner = index % 3;
     let p = select(box_corner(b, corner), corner_position(b, v, corner), is_compact(b, v));
-    let side = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
+    let side = f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
     o.clip = vec4f(p / side * vec2f(2.0, -2.0) + vec2f(-1.0, 1.0), 0.0, 1.0);
     o.cell_min = vec4i(b.cell_min, i32(b.axis));
     o.cell_max = vec4i(b.cell_max, 0);

@@ -7,7 +7,7 @@ import package::common::mesh::triangle_range;
 import package::common::triangle_box::{TriangleBox, triangle_box};
 import package::visitor::visitor;
 
-@group(1) @binding(8) var<storage, read_write> item_counts: array<u32>;
+var<storage, read_write> item_counts: array<u32>;
 
 // What is left to others: nothing; triangles of several bands, a band an item; large triangles, each an item.
 override DEFER: u32 = 0;

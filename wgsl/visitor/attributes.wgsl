@@ -3,14 +3,14 @@
 
 import package::common::clipped_area::clipped_area;
 import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average_reflectance, pack_reflectance};
-import package::common::frame::frame;
+import package::common::grid::grid;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
 import package::common::reflectance::total_reflectance;
 import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
 
-@group(1) @binding(4) var<storage, read_write> attributes: array<atomic<u32>>;
+var<storage, read_write> attributes: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
 override HAS_COVERAGE: bool = false;
@@ -30,7 +30,7 @@ fn visitor(triangle: u32, v: array<vec3f, 3>, axis: u32) -> Visitor {
 }
 
 fn add(word: u32, value: f32) {
-    let units = u32(round(value * frame.attribute_scale));
+    let units = u32(round(value * grid.attribute_scale));
     if (units != 0) {
         atomicAdd(&attributes[word], units);
     }
@@ -83,7 +83,7 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     add(first + 6 + negative.y, abs(n.y));
     add(first + 7 + negative.z, abs(n.z));
     if (HAS_EMISSION) {
-        let relative = emission(material, f.uv, f.lod) / frame.emission_max;
+        let relative = emission(material, f.uv, f.lod) / grid.emission_max;
         add_vector(first + 11, clamp(relative, vec3f(0.0), vec3f(1.0)) * weight);
     }
     if (HAS_COVERAGE) {

@@ -5,7 +5,7 @@ import package::common::grid::{BRICK_SHIFT, BRICK_BITS, brick_strides};
 import package::common::material::{Material, materials, base_color, HAS_ALPHA_MASK};
 import package::common::triangle_box::{swizzle_cell, unswizzle};
 
-@group(1) @binding(0) var<storage, read_write> occupancy: array<atomic<u32>>;
+var<storage, read_write> occupancy: array<atomic<u32>>;
 
 struct Visitor {
     axis: u32,

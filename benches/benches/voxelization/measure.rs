@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use voxlume::{
-    Bind, Formats, Gpu, Library, Passes, Pipeline, Plan, Program, Renderer, Request, ResourceKind, Scene,
-    SceneFacts, Step, Target, Value, plan,
+    Formats, Gpu, Library, Passes, Pipeline, Plan, Renderer, Request, ResourceKind, Scene, SceneFacts, Step,
+    Value, plan,
 };
 
 use crate::arguments::Arguments;
@@ -84,31 +84,13 @@ fn voxelization(
         steps.truncate(first);
     }
     // What other passes make is not allocated.
-    let used: BTreeSet<usize> = steps.iter().flat_map(resources).collect();
+    let used: BTreeSet<usize> = steps.iter().flat_map(Step::touches).map(|touch| touch.resource).collect();
     for (index, resource) in plan.resources.iter_mut().enumerate() {
         if resource.kind != ResourceKind::Scene && !used.contains(&index) {
             resource.kind = ResourceKind::Buffer(0);
         }
     }
     Ok(plan)
-}
-
-/// What a step needs.
-fn resources(step: &Step) -> Vec<usize> {
-    let bound = |program: &Program| -> Vec<usize> {
-        let target = |bind: &Bind| match bind.target {
-            Target::Resource(resource) | Target::Mip { resource, .. } => Some(resource),
-            Target::Uniform(_) | Target::Nothing => None,
-        };
-        program.binds.iter().filter_map(target).collect()
-    };
-    match step {
-        Step::Clear(resource) => vec![*resource],
-        Step::Compute { program, .. } => bound(program),
-        Step::Raster { program, target, .. } => [bound(program), vec![*target]].concat(),
-        Step::Copy { from, to } => vec![*from, *to],
-        Step::Draw { .. } | Step::Counted => Vec::new(),
-    }
 }
 
 /// Brackets the cutoff that makes `hybrid` fastest, by powers of two and then by golden sections.

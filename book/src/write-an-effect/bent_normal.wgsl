@@ -4,7 +4,7 @@
 import package::common::basis::basis_around;
 import package::common::cone::{ConeSettings, cone_trace};
 import package::common::diffuse_cones::{DiffuseCones, FULL_RING, diffuse_cone, diffuse_direction, diffuse_weight};
-import package::common::frame::frame;
+import package::common::grid::grid;
 import package::common::surface::Surface;
 
 struct Params {
@@ -17,7 +17,7 @@ struct Params {
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
-    let longest = f32(max(frame.grid_size.x, max(frame.grid_size.y, frame.grid_size.z)));
+    let longest = f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
     let tangents = basis_around(surface.normal);
     var open = vec4f(0.0);
     let cones = DiffuseCones(FULL_RING, 0.0);

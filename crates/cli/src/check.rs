@@ -7,12 +7,11 @@ mod shaders;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use voxlume::{Faults, Pipeline, Scene, Source};
+use voxlume::{Faults, PIPELINES, Pipeline, Scene, Source};
 
 use self::files::Files;
 use crate::Registry;
 use crate::failure::Failure;
-use crate::pipeline::BUILTIN;
 
 /// Check pipelines, scenes and WGSL; every fault with its file, line and column
 ///
@@ -43,7 +42,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
         Files::find(&args.files, &mut faults)
     };
     if everything {
-        files.pipelines.extend(BUILTIN.iter().map(|(_, file, text)| Source::new(*file, *text)));
+        files.pipelines.extend(PIPELINES.iter().map(|(_, file, text)| Source::new(*file, *text)));
     }
 
     if everything || !files.shaders.is_empty() {

@@ -2,26 +2,17 @@
 
 use std::path::Path;
 
-use voxlume::{Fault, Faults, Pipeline, Source};
-use voxlume_fault::suggest;
-
-/// Pipelines that the program carries: name, file, text.
-pub const BUILTIN: [(&str, &str, &str); 2] = [
-    ("gi", "pipelines/gi.ron", include_str!("../../../pipelines/gi.ron")),
-    ("rauwendaal", "pipelines/rauwendaal.ron", include_str!("../../../pipelines/rauwendaal.ron")),
-];
+use voxlume::{Faults, Pipeline};
 
 /// The built-in pipeline of that name, or the one in a `.ron` file.
 pub fn load(name: &str) -> Result<Pipeline, Faults> {
-    if let Some((_, file, text)) = BUILTIN.iter().find(|(builtin, ..)| *builtin == name) {
-        return Pipeline::parse(&Source::new(*file, *text));
-    }
     let path = Path::new(name);
-    if path.extension().is_none_or(|extension| extension != "ron") {
-        let label = suggest(name, BUILTIN.iter().map(|(builtin, ..)| *builtin));
-        return Err(Fault::new(format!("unknown pipeline `{name}`"))
-            .note(format!("{label}, or a .ron file"))
-            .into());
+    if path.extension().is_some_and(|extension| extension == "ron") {
+        return Pipeline::load(path);
     }
-    Pipeline::load(path)
+    Pipeline::builtin(name).map_err(|faults| {
+        let mut noted = Faults::default();
+        noted.extend(faults.into_iter().map(|fault| fault.note("or a file, whose name ends in `.ron`")));
+        noted
+    })
 }

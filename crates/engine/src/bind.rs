@@ -100,6 +100,9 @@ fn storage_format(word: &str) -> wgpu::TextureFormat {
         "rgba8unorm" => wgpu::TextureFormat::Rgba8Unorm,
         "rgba8snorm" => wgpu::TextureFormat::Rgba8Snorm,
         "rgba32float" => wgpu::TextureFormat::Rgba32Float,
+        "rg32float" => wgpu::TextureFormat::Rg32Float,
+        "r32float" => wgpu::TextureFormat::R32Float,
+        "r32uint" => wgpu::TextureFormat::R32Uint,
         _ => wgpu::TextureFormat::Rgba16Float,
     }
 }
@@ -152,7 +155,7 @@ fn hold(gpu: &Gpu, plan: &Plan, objects: &[Object], bind: &Bind) -> Held {
         Target::Uniform(bytes) => {
             Held::Buffer(buffer_with(gpu, &bind.name, bytes, wgpu::BufferUsages::UNIFORM))
         }
-        Target::Resource(index) => match &objects[*index] {
+        Target::Resource(index) | Target::Last(index) => match &objects[*index] {
             Object::Buffer(buffer) => Held::Buffer(buffer.clone()),
             Object::Sampler(sampler) => Held::Sampler(sampler.clone()),
             Object::Texture(texture) => Held::View(texture.create_view(&wgpu::TextureViewDescriptor {

@@ -8,6 +8,9 @@ use crate::program::Ready;
 use crate::resources::Object;
 use crate::timing::Queries;
 
+/// Texels along a side of the square that a workgroup of a pass over an image covers.
+const TILE: u32 = 8;
+
 impl Renderer<'_> {
     pub(crate) fn encode(
         &self,
@@ -69,6 +72,12 @@ impl Renderer<'_> {
         }
         match groups {
             Groups::Fixed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
+            Groups::Tiles(image) => {
+                if let Object::Texture(texture) = &self.objects[*image] {
+                    let [width, height] = [texture.width(), texture.height()].map(|side| side.div_ceil(TILE));
+                    pass.dispatch_workgroups(width, height, texture.depth_or_array_layers());
+                }
+            }
             Groups::Indirect { resource, offset } => {
                 if let Object::Buffer(buffer) = &self.objects[*resource] {
                     pass.dispatch_workgroups_indirect(buffer, *offset);

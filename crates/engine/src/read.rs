@@ -82,9 +82,14 @@ impl Renderer<'_> {
     /// # Errors
     /// The device is lost.
     pub fn out_of_range(&self) -> Result<Option<OutOfRange>, Error> {
-        let Some(bytes) = self.buffer("out_of_range")? else { return Ok(None) };
-        let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
-        let (values, worst) = (word(0), f32::from_bits(word(4)));
+        let (mut values, mut worst) = (0, 0.0_f32);
+        for index in &self.plan.out_of_range {
+            let Some(bytes) = self.buffer(&self.plan.resources[*index].name)? else { continue };
+            let word =
+                |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+            values += word(0);
+            worst = worst.max(f32::from_bits(word(4)));
+        }
         Ok((values > 0).then_some(OutOfRange { values, worst, range: self.plan.encoding.range() }))
     }
 

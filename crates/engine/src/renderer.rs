@@ -8,7 +8,7 @@ use voxlume_scene::{Camera, Scene};
 use crate::program::{Programs, Ready};
 use crate::resources::{Object, SceneObjects, create};
 use crate::timing::{Clock, PassTime, Queries};
-use crate::upload::frame::Frame;
+use crate::upload::frame::{Camera as CameraBytes, Clock as ClockBytes, Environment};
 use crate::{Error, Gpu};
 
 /// A scene on a device, ready to be seen.
@@ -104,8 +104,12 @@ impl<'g> Renderer<'g> {
     }
 
     fn write_frame(&self, scene: &Scene, camera: &Camera) {
-        let frame = Frame::new(&self.plan, &self.facts, scene, camera, self.scene.light_count);
-        self.gpu.queue.write_buffer(&self.scene.frame, 0, bytemuck::bytes_of(&frame));
+        let camera = CameraBytes::new(&self.plan, camera);
+        let environment = Environment { sky: scene.sky, light_count: self.scene.light_count };
+        let write = |buffer, bytes: &[u8]| self.gpu.queue.write_buffer(buffer, 0, bytes);
+        write(&self.scene.camera, bytemuck::bytes_of(&camera));
+        write(&self.scene.environment, bytemuck::bytes_of(&environment));
+        write(&self.scene.clock, bytemuck::bytes_of(&ClockBytes::new(0.0, 0)));
     }
 
     /// Runs voxelization up to the counts of cells, and makes the buffers that depend on them.
@@ -148,7 +152,7 @@ impl<'g> Renderer<'g> {
     fn voxels_move(&self) -> bool {
         let counted =
             |pass: &voxlume_graph::Pass| pass.steps.iter().any(|step| matches!(step, Step::Counted));
-        self.plan.passes.iter().any(|pass| !pass.once && counted(pass))
+        self.plan.passes.iter().any(|pass| pass.sources.geometry && counted(pass))
     }
 
     /// The counts, with a quarter more where they change from frame to frame, if the plan's budget has room for them.
@@ -221,7 +225,7 @@ impl<'g> Renderer<'g> {
 
     fn frame(&mut self, passes: Passes) -> Result<Vec<PassTime>, Error> {
         let chosen: Vec<usize> = (0..self.plan.passes.len())
-            .filter(|index| passes == Passes::All || !self.warm || !self.plan.passes[*index].once)
+            .filter(|index| passes == Passes::All || !self.warm || !is_once(&self.plan.passes[*index]))
             .collect();
         let times = match &self.queries {
             Some(queries) => {
@@ -255,6 +259,11 @@ impl<'g> Renderer<'g> {
     fn time(&self, pass: usize, milliseconds: f64, clock: Clock) -> PassTime {
         PassTime { pass, name: self.plan.passes[pass].name.clone(), milliseconds, clock }
     }
+}
+
+/// Whether nothing that it depends on can change.
+fn is_once(pass: &voxlume_graph::Pass) -> bool {
+    pass.sources == Default::default() && pass.name.contains("voxelize")
 }
 
 /// A step's program, bound; `None` for what is no program.

@@ -23,7 +23,9 @@ pub(crate) struct SceneObjects {
     pub indices: wgpu::Buffer,
     pub index_count: u32,
     pub light_count: u32,
-    pub frame: wgpu::Buffer,
+    pub camera: wgpu::Buffer,
+    pub environment: wgpu::Buffer,
+    pub clock: wgpu::Buffer,
     vertices: wgpu::Buffer,
     lights: wgpu::Buffer,
     shadow_matrices: wgpu::Buffer,
@@ -53,17 +55,17 @@ impl SceneObjects {
             masked_last(scene, &geometry, may);
             let indices: &[u8] = bytemuck::cast_slice(&triangles);
             let index_buffer = storage("indices", indices, kept | wgpu::BufferUsages::INDEX);
-            let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("frame"),
-                size: size_of::<crate::upload::frame::Frame>() as u64,
-                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
+            let uniform = |label, size| buffer_with(gpu, label, &vec![0; size], wgpu::BufferUsages::UNIFORM);
+            let camera = uniform("camera", size_of::<crate::upload::frame::Camera>());
+            let environment = uniform("environment", size_of::<crate::upload::frame::Environment>());
+            let clock = uniform("clock", size_of::<crate::upload::frame::Clock>());
             let vertices = storage("vertices", bytemuck::cast_slice(&mesh::vertices(&geometry)), kept);
             let light_buffer = storage("lights", bytemuck::cast_slice(&lights.lights), kept);
             let shadow_matrices = storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), kept);
             let named = vec![
-                ("frame", Object::Buffer(frame.clone())),
+                ("camera", Object::Buffer(camera.clone())),
+                ("environment", Object::Buffer(environment.clone())),
+                ("clock", Object::Buffer(clock.clone())),
                 ("vertices", Object::Buffer(vertices.clone())),
                 ("indices", Object::Buffer(index_buffer.clone())),
                 (
@@ -94,7 +96,9 @@ impl SceneObjects {
                 indices: index_buffer,
                 index_count: geometry.triangles.len() as u32 * 3,
                 light_count: lights.count,
-                frame,
+                camera,
+                environment,
+                clock,
                 vertices,
                 lights: light_buffer,
                 shadow_matrices,
@@ -206,7 +210,6 @@ pub(crate) fn create(
         return Ok(Object::Pending);
     }
     let (voxels, cells) = counts.unwrap_or_default();
-    let [width, height] = plan.screen;
     let texture = |size: [u32; 3], mips, dimension, format, usage| {
         let [width, height, depth_or_array_layers] = size;
         gpu.guarded(name, || {
@@ -225,6 +228,9 @@ pub(crate) fn create(
     };
     match resource.kind {
         ResourceKind::Scene => Ok(Object::Pending),
+        ResourceKind::Uniform(ref bytes) => gpu
+            .guarded(name, || buffer_with(gpu, name, bytes, wgpu::BufferUsages::UNIFORM))
+            .map(Object::Buffer),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => {
             let bytes = plan.bytes(index, voxels, cells).unwrap_or_default().max(32);
             let limit = gpu.device.limits().max_storage_buffer_binding_size;
@@ -244,28 +250,18 @@ pub(crate) fn create(
             let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_DST;
             texture(size, mips, wgpu::TextureDimension::D3, format, usage)
         }
-        ResourceKind::Image { texel, layers } => {
-            let usage = match texel {
-                ImageTexel::Rgba16Float => {
-                    wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::RENDER_ATTACHMENT
-                }
-                ImageTexel::Rgba8Srgb | ImageTexel::Depth32 => wgpu::TextureUsages::RENDER_ATTACHMENT,
+        ResourceKind::Image { extent, texel, layers, mips } => {
+            let [width, height] = extent.size(plan.screen);
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            let usage = match ImageTexel::WRITABLE.contains(&texel) {
+                true => usage | wgpu::TextureUsages::STORAGE_BINDING,
+                false => usage,
             };
-            texture([width, height, layers], 1, wgpu::TextureDimension::D2, image_format(texel), usage)
+            texture([width, height, layers], mips, wgpu::TextureDimension::D2, image_format(texel), usage)
         }
         ResourceKind::Raster { side } => {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
             texture([side, side, 1], 1, wgpu::TextureDimension::D2, RASTER_FORMAT, usage)
-        }
-        ResourceKind::ShadowMaps { size, layers } => {
-            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-            texture(
-                [size, size, layers],
-                1,
-                wgpu::TextureDimension::D2,
-                wgpu::TextureFormat::Depth32Float,
-                usage,
-            )
         }
     }
 }
@@ -286,6 +282,11 @@ fn volume_format(encoding: Encoding, numbers: Numbers) -> wgpu::TextureFormat {
 pub(crate) fn image_format(texel: ImageTexel) -> wgpu::TextureFormat {
     match texel {
         ImageTexel::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        ImageTexel::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
+        ImageTexel::Rg32Float => wgpu::TextureFormat::Rg32Float,
+        ImageTexel::R32Float => wgpu::TextureFormat::R32Float,
+        ImageTexel::R32Uint => wgpu::TextureFormat::R32Uint,
+        ImageTexel::Rgba8Unorm => wgpu::TextureFormat::Rgba8Unorm,
         ImageTexel::Rgba8Srgb => wgpu::TextureFormat::Rgba8UnormSrgb,
         ImageTexel::Depth32 => wgpu::TextureFormat::Depth32Float,
     }

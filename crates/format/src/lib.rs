@@ -35,7 +35,7 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
     /// What it models, in a sentence.
     fn summary(&self) -> &str;
 
-    /// Path of the folder of its WGSL modules in the shader library, such as `format/isotropic`.
+    /// Path of the folder of its WGSL modules in the shader library, such as `format/isotropic`; it is below `format`.
     fn modules(&self) -> &str;
 
     /// What can be chosen about it.
@@ -44,8 +44,8 @@ pub trait StorageFormat: std::fmt::Debug + Send + Sync {
     }
 
     /// The 3D textures that it keeps with these choices. WGSL reads each under its name, writes its level 0 under
-    /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`; variables of group 2
-    /// that belong to none of them are bound to a texture of one texel of zeroes.
+    /// `<name>_level0`, and in `voxel_mipmap` reads `<name>_source` and writes `<name>_target`; textures of its modules
+    /// that belong to none of them are bound to one texel of zeroes.
     fn volumes(&self, choices: &Choices) -> Vec<Volume>;
 
     /// What it can't hold by nature with its default choices, and by how much.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::plan::{Groups, Plan, ResourceKind, Step};
+use crate::plan::{Groups, Pass, Plan, ResourceKind, Sources, Step, Update};
 
 /// The passes in order, the resources with their bytes, and what was left out.
 pub fn explain(plan: &Plan) -> String {
@@ -18,14 +18,14 @@ pub fn explain(plan: &Plan) -> String {
     let _ = writeln!(text, "passes");
     for pass in &plan.passes {
         let names = |list: &[String]| if list.is_empty() { "nothing".to_owned() } else { list.join(", ") };
-        let once = if pass.once { ", once" } else { "" };
-        let _ = writeln!(text, "  {:<18} {} → {}{once}", pass.name, names(&pass.reads), names(&pass.writes));
+        let _ = writeln!(text, "  {:<18} {} → {}", pass.name, names(&pass.reads), names(&pass.writes));
+        let _ = writeln!(text, "  {:<18}   runs {}", "", when(pass));
         let _ = writeln!(text, "  {:<18}   {}", "", work(pass.steps.iter()));
     }
     let _ = writeln!(text, "\nresources");
     for (index, resource) in plan.resources.iter().enumerate() {
         let size = match &resource.kind {
-            ResourceKind::Scene => continue,
+            ResourceKind::Scene | ResourceKind::Uniform(_) => continue,
             ResourceKind::PerVoxel(bytes) => format!("{bytes} B × occupied voxels"),
             ResourceKind::PerCell(bytes) => format!("{bytes} B × occupied cells of all levels"),
             _ => plan.bytes(index, 0, 0).map(mebibytes).unwrap_or_default(),
@@ -41,11 +41,32 @@ pub fn explain(plan: &Plan) -> String {
     text
 }
 
+/// What makes a pass run, in words.
+fn when(pass: &Pass) -> String {
+    let Sources { geometry, lights, camera, parameters, time } = pass.sources;
+    let sources = [
+        (geometry, "triangles that move"),
+        (lights, "lights"),
+        (camera, "camera"),
+        (parameters, "parameters"),
+        (time, "time"),
+    ];
+    let sources = sources.into_iter().filter(|(depends, _)| *depends).map(|(_, name)| name.to_owned());
+    let all: Vec<String> = sources.chain(pass.waits_for.iter().cloned()).collect();
+    let changed =
+        if all.is_empty() { "once".to_owned() } else { format!("when these change: {}", all.join(", ")) };
+    match pass.update {
+        Update::Changed => changed,
+        Update::Every(frames) => format!("{changed}, at most once in {frames} frames"),
+        Update::OnDemand => "once, and on demand".to_owned(),
+    }
+}
+
 fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
     let (mut compute, mut indirect, mut draws) = (0, 0, 0);
     for step in steps {
         match step {
-            Step::Compute { groups: Groups::Fixed(_), .. } => compute += 1,
+            Step::Compute { groups: Groups::Fixed(_) | Groups::Tiles(_), .. } => compute += 1,
             Step::Compute { groups: Groups::Indirect { .. }, .. } => indirect += 1,
             Step::Draw { .. } | Step::Raster { .. } => draws += 1,
             Step::Clear(_) | Step::Copy { .. } | Step::Counted => {}
@@ -64,21 +85,18 @@ fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
 }
 
 fn shape(plan: &Plan, kind: &ResourceKind) -> String {
-    let [width, height] = plan.screen;
     match kind {
-        ResourceKind::Scene => String::new(),
+        ResourceKind::Scene | ResourceKind::Uniform(_) => String::new(),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
         ResourceKind::Volume { size: [x, y, z], mips, encoding, numbers } => {
             let texel = if numbers.are_bytes(*encoding) { "rgba8" } else { encoding.name() };
             format!("{x} × {y} × {z} {texel}, {}", count(*mips, "level"))
         }
-        ResourceKind::Image { layers, .. } => {
-            format!("{width} × {height} image, {}", count(*layers, "layer"))
+        ResourceKind::Image { extent, texel, layers, .. } => {
+            let [width, height] = extent.size(plan.screen);
+            format!("{width} × {height} {}, {}", texel.name(), count(*layers, "layer"))
         }
         ResourceKind::Raster { side } => format!("{side} × {side} fragments"),
-        ResourceKind::ShadowMaps { size, layers } => {
-            format!("{size} × {size} depth, {}", count(*layers, "layer"))
-        }
     }
 }
 

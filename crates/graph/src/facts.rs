@@ -6,7 +6,7 @@ use glam::DVec3;
 use voxlume_fault::Faults;
 use voxlume_scene::{Instance, LightKind, Mesh, Scene};
 
-use crate::live::holds;
+use crate::live::CONDITIONS;
 
 /// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
 pub const AREA_LIGHT_LIMIT: usize = 16;
@@ -32,6 +32,8 @@ pub struct SceneFacts {
     pub spot: u32,
     /// Planar emissive polygons; `None` where emission is not a few plain polygons.
     pub polygons: Option<u32>,
+    /// The largest component of any material's emission, W·m⁻²·sr⁻¹.
+    pub emission_max: f32,
     /// Whether any material emits.
     pub emissive: bool,
     /// Whether any material has a texture.
@@ -101,6 +103,7 @@ impl SceneFacts {
             point: count(|kind| matches!(kind, LightKind::Point { .. })),
             spot: count(|kind| matches!(kind, LightKind::Spot { .. })),
             polygons,
+            emission_max: scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max),
             emissive,
             textured: used.iter().any(|material| {
                 material.base_color_texture.is_some()
@@ -148,6 +151,6 @@ impl SceneFacts {
 
     /// Whether the scene has what the word after `when` asks for. With `area_lights`, emissive polygons are lights.
     pub fn meets(&self, condition: &str, area_lights: bool) -> bool {
-        holds(condition, self, area_lights)
+        CONDITIONS.iter().any(|(word, _, holds)| *word == condition && holds(self, area_lights))
     }
 }

@@ -87,6 +87,23 @@ impl Grid {
         level_count(self.size)
     }
 
+    /// `struct Grid` in wgsl/common/grid.wgsl, for voxels that sum the attributes of so many triangles, whose emission is at
+    /// most `emission_max`. World positions are relative to `origin`.
+    pub fn uniform(&self, origin: DVec3, triangles: u32, emission_max: f32) -> Vec<u8> {
+        let mut words = Vec::new();
+        let min = (self.centre - origin).as_vec3() + self.min();
+        words.extend(min.to_array().map(f32::to_bits));
+        words.push(self.voxel_size.to_bits());
+        words.extend(self.size);
+        words.push(self.levels());
+        words.push(fixed_point_scale(triangles).to_bits());
+        words.push(emission_max.max(f32::MIN_POSITIVE).to_bits());
+        words.extend([0; 2]);
+        words.extend(self.word_offsets().0);
+        words.resize(28, 0);
+        words.into_iter().flat_map(u32::to_le_bytes).collect()
+    }
+
     /// Words of the bitmask at a level: bricks of 4 × 4 × 2 cells, one bit each.
     pub fn level_words(&self, level: u32) -> u32 {
         let [x, y, z] = self.size.map(|n| n >> level);

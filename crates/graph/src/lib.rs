@@ -3,33 +3,42 @@
 //! A [`Pipeline`] is a RON file; [`plan`] checks it against the shaders and storage formats, leaves out what the
 //! scene doesn't need, and gives a [`Plan`] that an engine carries out.
 
+mod builtin;
+mod bundle;
 mod entries;
-mod expand;
+mod expansion;
 mod explain;
 mod facts;
+mod flow;
 mod grid;
-mod kind;
 mod limits;
 mod live;
 mod order;
 mod params;
+mod pass;
 mod pipeline;
 mod plan;
 mod planner;
 mod probe;
+mod prune;
 mod shown;
+mod storage;
 mod variant;
 
-pub use expand::voxelize::DEFAULT_METHOD;
+pub use builtin::PIPELINES;
+pub use bundle::Bundle;
+pub use expansion::{Expansion, Over, Run, screen_image};
 pub use explain::explain;
 pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
+pub use flow::Touch;
 pub use grid::{Extent, Grid, fixed_point_scale};
-pub use kind::{KINDS, Kind, ParamWords, Port, SURFACE_IMAGES, Values};
-pub use pipeline::{Located, Param, PassEntry, Pipeline, Value};
+pub use pass::{DEFAULT_METHOD, Idle, Kinds, ParamWords, PassKind, Port, Sort, Unread, Values};
+pub use pipeline::{ImageWords, Located, Param, PassEntry, Pipeline, Value};
 pub use plan::{
-    Bind, Groups, ImageTexel, LeftOut, Pass, Plan, Program, Resource, ResourceKind, Step, Target, Vertices,
+    Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,
+    Resource, ResourceKind, Sources, Step, Target, Update, Vertices,
 };
-pub use planner::{Request, plan};
+pub use planner::{Request, plan, plan_with};
 pub use probe::{ProbeSize, probe};
 pub use shown::{Reference, Shows};
 pub use variant::check_variant;

@@ -2,13 +2,13 @@
 
 use voxlume_fault::{Fault, Faults};
 
-use crate::expand::Context;
+use crate::expansion::Context;
 use crate::facts::SceneFacts;
 use crate::pipeline::Pipeline;
-use crate::plan::{Plan, ResourceKind};
+use crate::plan::{ImageExtent, Plan, ResourceKind};
 
 /// Largest side of a 2D texture.
-const TEXTURE_2D: u32 = 8192;
+pub(crate) const TEXTURE_2D: u32 = 8192;
 /// Largest side of a 3D texture.
 const TEXTURE_3D: u32 = 2048;
 /// Pixels of an image that a buffer of 256 MiB holds, at 8 bytes each.
@@ -68,7 +68,7 @@ pub(crate) fn check_resources(pipeline: &Pipeline, context: &mut Context<'_>) {
                     resource.name
                 )
             }
-            ResourceKind::ShadowMaps { layers, .. } if *layers > LAYERS => {
+            ResourceKind::Image { extent: ImageExtent::Fixed(_), layers, .. } if *layers > LAYERS => {
                 format!("the lights need {layers} shadow maps; at most {LAYERS} fit")
             }
             ResourceKind::Image { layers, .. } if *layers > LAYERS => {

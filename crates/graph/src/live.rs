@@ -2,158 +2,118 @@
 
 use std::collections::BTreeSet;
 
-use crate::entries::{is_screen, makes};
-use crate::expand::Context;
-use crate::expand::voxel_view::VOLUME_CHANNELS;
+use crate::entries::{is_image, makes};
+use crate::expansion::Context;
+use crate::expansion::context::read_of;
 use crate::facts::SceneFacts;
-use crate::kind::SURFACE_IMAGES;
 use crate::order::Makers;
-use crate::pipeline::{PassEntry, Pipeline, Value};
+use crate::pass::Kinds;
+use crate::pipeline::{PassEntry, Pipeline};
 use crate::plan::LeftOut;
 
-/// Conditions for `when`.
-pub(crate) const CONDITIONS: [&str; 4] = ["lights", "glossy", "shadow_mapped_lights", "gathered_light"];
+/// A condition for `when`: its word, why it doesn't hold, and whether it does.
+type Condition = (&'static str, &'static str, fn(&SceneFacts, bool) -> bool);
 
-pub(crate) fn holds(condition: &str, facts: &SceneFacts, area_lights: bool) -> bool {
-    match condition {
-        "lights" => facts.punctual() > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0),
-        "glossy" => facts.glossy,
-        "shadow_mapped_lights" => facts.punctual() > 0,
-        _ => facts.sky || (facts.emissive && !area_lights),
-    }
-}
+/// Conditions for `when`; each is asked with whether emissive polygons are lights of their own.
+pub(crate) const CONDITIONS: [Condition; 4] = [
+    ("lights", "the scene has no light", |facts, area_lights| {
+        facts.punctual() > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0)
+    }),
+    ("glossy", "no material is glossy", |facts, _| facts.glossy),
+    ("shadow_mapped_lights", "the scene has no directional, spot or point light", |facts, _| {
+        facts.punctual() > 0
+    }),
+    ("gathered_light", "no sky, and no emission but that of area lights", |facts, area_lights| {
+        facts.sky || (facts.emissive && !area_lights)
+    }),
+];
 
-pub(crate) fn why_not(condition: &str) -> &'static str {
-    match condition {
-        "lights" => "the scene has no light",
-        "glossy" => "no material is glossy",
-        "shadow_mapped_lights" => "the scene has no directional, spot or point light",
-        _ => "no sky, and no emission but that of area lights",
-    }
+/// Why an entry has nothing to do in this scene, if so.
+fn idle(entry: &PassEntry, context: &Context<'_>) -> Option<String> {
+    let condition =
+        entry.when.as_ref().and_then(|when| CONDITIONS.iter().find(|(word, ..)| *word == when.value));
+    let unmet = condition.filter(|(_, _, holds)| !holds(context.facts, context.area_lights));
+    let idle = || context.kinds.idle(entry).map(|idle| idle.why);
+    unmet.map(|(_, why, _)| *why).or_else(idle).map(str::to_owned)
 }
 
 /// The passes that the output needs on this scene. What is left out is noted with its reason.
 pub(crate) fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Context<'_>) -> BTreeSet<usize> {
-    let facts = context.facts;
-    let mut skipped: Vec<(usize, String)> = Vec::new();
-    for (index, pass) in pipeline.passes.iter().enumerate() {
-        let number = |name: &str| pass.params.iter().find(|p| p.name == name).map(|p| &p.value);
-        if let Some(when) = &pass.when
-            && !holds(&when.value, facts, context.area_lights)
-        {
-            skipped.push((index, why_not(&when.value).to_owned()));
-        } else if pass.run.value == "bounce" && number("bounces") == Some(&Value::Number(0.0)) {
-            skipped.push((index, "`bounces` is 0".to_owned()));
-        } else if pass.run.value == "shadow_maps" && casts_by_ray(pipeline) {
-            skipped.push((index, "occlusion is by voxel ray".to_owned()));
-        }
-    }
-    let wanted = |pass: &PassEntry| makes(pass, &pipeline.output.value);
-    let mut stack: Vec<usize> =
-        (0..pipeline.passes.len()).filter(|index| wanted(&pipeline.passes[*index])).collect();
+    let skipped: Vec<Option<String>> = pipeline.passes.iter().map(|entry| idle(entry, context)).collect();
+    let mut stack: Vec<usize> = (0..pipeline.passes.len())
+        .filter(|index| makes(context.kinds, &pipeline.passes[*index], &pipeline.output.value))
+        .collect();
     let mut live = BTreeSet::new();
     while let Some(index) = stack.pop() {
-        if skipped.iter().any(|(skip, _)| *skip == index) || !live.insert(index) {
+        if skipped[index].is_some() || !live.insert(index) {
             continue;
         }
-        let unread = unread_inputs(&pipeline.passes[index]);
-        let before = makers.before(pipeline, index);
-        stack.extend(
-            before.iter().filter(|(_, name)| !unread.contains(&name.value.as_str())).map(|(maker, _)| *maker),
-        );
+        let unread = unread(&pipeline.passes[index], context);
+        let needs = makers.needs(pipeline, index);
+        stack.extend(needs.iter().filter(|(_, name)| !unread.contains(&name.value)).map(|(maker, _)| *maker));
     }
-    for index in &live {
-        let pass = &pipeline.passes[*index];
-        context.available.extend(pass.writes.iter().map(|name| name.value.clone()));
-        let surface = pass.reads.iter().any(|name| name.value == "surface") || !is_screen(pass);
-        if surface && is_screen(pass) {
-            context.surface_images.extend(["albedo", "normal", "geometry", "depth"]);
-            if pass.run.value == "composite" && facts.emissive {
-                context.surface_images.insert("emission");
-            }
-        }
-    }
-    context.surface_images.extend(SURFACE_IMAGES.iter().filter(|image| **image == pipeline.output.value));
-    for (index, pass) in pipeline.passes.iter().enumerate().filter(|(index, _)| !live.contains(index)) {
-        let why = skipped.iter().find(|(skip, _)| *skip == index).map(|(_, why)| why.clone());
-        let unread = pipeline.passes.iter().filter(|other| other.run.value == "composite").any(|other| {
-            unread_inputs(other).iter().any(|input| pass.writes.iter().any(|name| name.value == *input))
-        });
-        let why = why.unwrap_or_else(|| {
-            if unread { "`ao_weight` is 0".to_owned() } else { "nobody reads what it makes".to_owned() }
-        });
-        context.left_out.push(LeftOut {
-            what: format!("pass `{}`", pass.name),
-            why,
-            bytes: saved(pass, context),
-        });
-    }
-    // What is made for another pass only is no input of this one.
-    let reads = |pass: &PassEntry, input: &str| {
-        pass.reads.iter().any(|name| name.value == input) && !unread_inputs(pass).contains(&input)
-    };
-    for input in live.iter().flat_map(|index| unread_inputs(&pipeline.passes[*index])) {
-        if !live.iter().any(|index| reads(&pipeline.passes[*index], input)) {
-            context.available.remove(*input);
-        }
+    context.live = live.iter().map(|index| pipeline.passes[*index].name.clone()).collect();
+    for (index, entry) in pipeline.passes.iter().enumerate().filter(|(index, _)| !live.contains(index)) {
+        let why = skipped[index].clone().or_else(|| why_unread(pipeline, entry, context));
+        let why = why.unwrap_or_else(|| "nobody reads what it makes".to_owned());
+        let left_out = LeftOut { what: format!("pass `{}`", entry.name), why, bytes: saved(entry, context) };
+        context.left_out.push(left_out);
     }
     live
 }
 
-/// Inputs that a pass names and, by its parameters, never looks at.
-pub(crate) fn unread_inputs(pass: &PassEntry) -> &'static [&'static str] {
-    let given = |name: &str, is: &dyn Fn(&Value) -> bool| {
-        pass.params.iter().any(|param| param.name == name && is(&param.value))
-    };
-    let volume =
-        |value: &Value| matches!(value, Value::Word(word) if VOLUME_CHANNELS.contains(&word.as_str()));
-    match pass.run.value.as_str() {
-        "composite" if given("ao_weight", &|value| *value == Value::Number(0.0)) => &["ao"],
-        "voxel_view" if !given("channel", &volume) => &["volume"],
-        _ => &[],
-    }
+/// Names that an entry reads and, by its parameters, never looks at.
+fn unread(entry: &PassEntry, context: &Context<'_>) -> Vec<String> {
+    let kind = context.kinds.of(entry);
+    let ports = kind.unread(entry).iter();
+    ports.filter_map(|unread| context.read_of(entry, kind, unread.port)).map(str::to_owned).collect()
 }
 
-pub(crate) fn casts_by_ray(pipeline: &Pipeline) -> bool {
-    let mut lights = pipeline.passes.iter().filter(|pass| pass.run.value == "light");
-    lights.all(|pass| {
-        pass.params.iter().any(|p| p.name == "occlusion" && p.value == Value::Word("voxel_ray".into()))
+/// Why those who read what an entry makes don't look at it, if they say so.
+fn why_unread(pipeline: &Pipeline, entry: &PassEntry, context: &Context<'_>) -> Option<String> {
+    pipeline.passes.iter().find_map(|reader| {
+        let kind = context.kinds.of(reader);
+        let made = |name: &str| entry.writes.iter().any(|write| write.value == name);
+        let unread = kind.unread(reader).iter();
+        let mut of_entry =
+            unread.filter(|unread| read_of(&context.sorts, reader, kind, unread.port).is_some_and(made));
+        of_entry.next().map(|unread| unread.why.to_owned())
     })
 }
 
-/// Bytes of what a pass would have made.
-pub(crate) fn saved(pass: &PassEntry, context: &Context<'_>) -> u64 {
-    let [width, height] = context.screen.map(u64::from);
-    let image = 8 * width * height;
-    let layers = if pass.layers.is_some() { u64::from(context.light_count().div_ceil(4)) } else { 1 };
-    if is_screen(pass) { image * layers * pass.writes.len() as u64 } else { 0 }
+/// Bytes of the images that a pass would have made.
+fn saved(entry: &PassEntry, context: &Context<'_>) -> u64 {
+    if !is_image(context.kinds, entry) {
+        return 0;
+    }
+    let [width, height] = entry.image.extent.size(context.screen).map(u64::from);
+    let layers = if entry.layers.is_some() { u64::from(context.light_count().div_ceil(4)) } else { 1 };
+    entry.image.texel.bytes() * width * height * layers * entry.writes.len() as u64
 }
 
-/// Channels and branches that the scene doesn't need.
-pub(crate) fn explain_channels(context: &mut Context<'_>) {
+/// Whether no entry asks that emissive polygons are gathered like all emission; then a few of them are lights.
+pub(crate) fn uses_area_lights(pipeline: &Pipeline, facts: &SceneFacts, kinds: &Kinds) -> bool {
+    let gathers = pipeline.passes.iter().any(|entry| kinds.of(entry).gathers_all_emission(entry));
+    facts.emissive && facts.polygons.is_some() && !gathers
+}
+
+/// Branches of shaders that the scene doesn't need.
+pub(crate) fn explain_branches(context: &mut Context<'_>) {
     let facts = context.facts;
-    let [width, height] = context.screen.map(u64::from);
-    let mut left_out = Vec::new();
-    let mut note = |absent: bool, what: &str, why: &str, bytes: u64| {
-        if absent {
-            left_out.push(LeftOut { what: what.into(), why: why.into(), bytes });
-        }
-    };
-    let inside = facts.bounds.is_none_or(|bounds| context.grid.holds(bounds));
-    note(!inside, "what lies outside the grid", "the pipeline gives the grid's corners", 0);
-    note(!facts.emissive, "emission image", "no material emits", 8 * width * height);
-    let why = if facts.emissive { "what emits is lit as area lights" } else { "no material emits" };
-    note(!context.voxel_emission(), "emission in voxels (12 bytes each)", why, 0);
-    note(!facts.masked, "alpha tests", "no material has an alpha mask", 0);
-    note(!facts.textured, "texture look-ups", "no material has a texture", 0);
-    note(facts.directional == 0, "directional lights' branch", "the scene has none", 0);
-    note(facts.point == 0, "point lights' branch", "the scene has none", 0);
-    note(facts.spot == 0, "spot lights' branch", "the scene has none", 0);
-    note(!context.area_lights, "area lights' branch", "no emissive polygon is lit as one", 0);
-    let still = facts.triangles - facts.moving_triangles;
-    match facts.moving_triangles {
-        0 => note(true, "voxelizing every frame", "nothing moves", 0),
-        _ => note(still > 0, &format!("voxelizing {still} triangles every frame"), "they never move", 0),
-    }
-    context.left_out.extend(left_out);
+    let inside = facts.bounds.is_none_or(|bounds| context.grids[0].holds(bounds));
+    let notes = [
+        (!inside, "what lies outside the grid", "the pipeline gives the grid's corners"),
+        (!facts.masked, "alpha tests", "no material has an alpha mask"),
+        (!facts.textured, "texture look-ups", "no material has a texture"),
+        (facts.directional == 0, "directional lights' branch", "the scene has none"),
+        (facts.point == 0, "point lights' branch", "the scene has none"),
+        (facts.spot == 0, "spot lights' branch", "the scene has none"),
+        (!context.area_lights, "area lights' branch", "no emissive polygon is lit as one"),
+    ];
+    let notes = notes.into_iter().filter(|(absent, ..)| *absent);
+    context.left_out.extend(notes.map(|(_, what, why)| LeftOut {
+        what: what.into(),
+        why: why.into(),
+        bytes: 0,
+    }));
 }

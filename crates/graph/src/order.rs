@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use voxlume_fault::{Fault, Faults, suggest};
 
-use crate::kind::Kind;
+use crate::expansion::LAST;
+use crate::pass::{Kinds, PassKind};
 use crate::pipeline::{Located, PassEntry, Pipeline};
 
 /// Makers of each resource: the pass that writes it, then those that update it, in the file's order.
@@ -12,7 +13,7 @@ pub(crate) struct Makers<'a>(HashMap<&'a str, Vec<usize>>);
 
 impl<'a> Makers<'a> {
     /// Finds them; a fault for a second writer and for whatever nobody writes.
-    pub fn of(pipeline: &'a Pipeline, faults: &mut Faults) -> Makers<'a> {
+    pub fn of(pipeline: &'a Pipeline, kinds: &Kinds, faults: &mut Faults) -> Makers<'a> {
         let mut makers: HashMap<&str, Vec<usize>> = HashMap::new();
         for (index, pass) in pipeline.passes.iter().enumerate() {
             for name in &pass.writes {
@@ -39,10 +40,11 @@ impl<'a> Makers<'a> {
         for pass in &pipeline.passes {
             for name in pass.reads.iter().chain(&pass.updates) {
                 // What a kind can't read at all is a fault of its own.
-                let knows =
-                    |kind: &Kind| kind.reads.iter().chain(kind.updates).any(|port| port.name == name.value);
-                let expected = Kind::get(&pass.run.value).is_none_or(knows);
-                if expected && !makers.contains_key(name.value.as_str()) {
+                let knows = |kind: &dyn PassKind| {
+                    kind.reads().iter().chain(kind.updates()).any(|port| port.name == pass.alias(&name.value))
+                };
+                let expected = kinds.get(&pass.run.value).is_none_or(knows);
+                if expected && !makers.contains_key(name.value.trim_end_matches(LAST)) {
                     let label = suggest(&name.value, written.iter().copied());
                     faults.push(pipeline.fault(
                         &name.span,
@@ -62,12 +64,24 @@ impl<'a> Makers<'a> {
         Makers(makers)
     }
 
+    fn makers(&self, name: &str) -> &[usize] {
+        self.0.get(name.trim_end_matches(LAST)).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// The passes that make what `pass` reads, in this frame or the last, each with the resource that says so.
+    pub fn needs<'p>(&self, pipeline: &'p Pipeline, pass: usize) -> Vec<(usize, &'p Located<String>)> {
+        let last = pipeline.passes[pass].reads.iter().filter(|name| name.value.ends_with(LAST));
+        let last = last.flat_map(|name| self.makers(&name.value).iter().map(move |maker| (*maker, name)));
+        self.before(pipeline, pass).into_iter().chain(last).collect()
+    }
+
     /// The passes that must come before `pass`, each with the resource that says so.
     pub fn before<'p>(&self, pipeline: &'p Pipeline, pass: usize) -> Vec<(usize, &'p Located<String>)> {
         let entry = &pipeline.passes[pass];
-        let makers =
-            |name: &Located<String>| self.0.get(name.value.as_str()).map(Vec::as_slice).unwrap_or_default();
-        let reads = entry.reads.iter().flat_map(|name| makers(name).iter().map(move |maker| (*maker, name)));
+        let makers = |name: &Located<String>| self.makers(&name.value);
+        // What was there before the last writing is there already.
+        let reads = entry.reads.iter().filter(|name| !name.value.ends_with(LAST));
+        let reads = reads.flat_map(|name| makers(name).iter().map(move |maker| (*maker, name)));
         let updates = entry.updates.iter().flat_map(|name| {
             makers(name).iter().take_while(|maker| **maker != pass).map(move |maker| (*maker, name))
         });

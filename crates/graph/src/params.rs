@@ -2,12 +2,15 @@
 
 use naga::{Expression, Literal};
 use voxlume_fault::{Fault, Faults, one_of, suggest};
+use voxlume_scene::WORLD_LIMIT;
 use voxlume_shader::{Field, Shader, StructLayout};
 
-use crate::kind::{Kind, Values};
+use crate::pass::{PassKind, Values};
 use crate::pipeline::{Param, PassEntry, Pipeline, Value};
+use crate::plan::{ParamBytes, Plan};
 
 /// Reads the parameters of one pass, each at most once, and reports what nobody read.
+#[derive(Debug)]
 pub(crate) struct Params<'a> {
     pipeline: &'a Pipeline,
     entry: &'a PassEntry,
@@ -36,7 +39,7 @@ impl<'a> Params<'a> {
     }
 
     /// A parameter of the kind itself, as a word.
-    pub fn word(&mut self, kind: &Kind, name: &str, faults: &mut Faults) -> Option<&'static str> {
+    pub fn word(&mut self, kind: &dyn PassKind, name: &str, faults: &mut Faults) -> Option<&'static str> {
         let Values::Words(words) = spec(kind, name)? else { return None };
         let Some(param) = self.find(name) else {
             faults.push(self.missing(name, one_of(words.iter().copied())));
@@ -51,19 +54,14 @@ impl<'a> Params<'a> {
         None
     }
 
-    /// A word, or the first-named default where the file gives none.
-    pub fn word_or(
-        &mut self,
-        kind: &Kind,
-        name: &str,
-        default: &'static str,
-        faults: &mut Faults,
-    ) -> Option<&'static str> {
-        if self.gives(name) { self.word(kind, name, faults) } else { Some(default) }
-    }
-
     /// A number of the kind itself, or the default where the file gives none.
-    pub fn number_or(&mut self, kind: &Kind, name: &str, default: f64, faults: &mut Faults) -> Option<f64> {
+    pub fn number_or(
+        &mut self,
+        kind: &dyn PassKind,
+        name: &str,
+        default: f64,
+        faults: &mut Faults,
+    ) -> Option<f64> {
         let Values::Number(low, high) = spec(kind, name)? else { return None };
         let Some(param) = self.find(name) else { return Some(default) };
         match param.value {
@@ -75,12 +73,13 @@ impl<'a> Params<'a> {
         }
     }
 
-    fn gives(&mut self, name: &str) -> bool {
+    /// Whether the file gives a parameter, which counts as read then.
+    pub fn gives(&mut self, name: &str) -> bool {
         self.find(name).is_some()
     }
 
     /// A parameter of the kind itself, as a whole number.
-    pub fn whole(&mut self, kind: &Kind, name: &str, faults: &mut Faults) -> Option<u32> {
+    pub fn whole(&mut self, kind: &dyn PassKind, name: &str, faults: &mut Faults) -> Option<u32> {
         let Values::Whole(low, high) = spec(kind, name)? else { return None };
         let label = format!("a whole number from {low} to {high}");
         let Some(param) = self.find(name) else {
@@ -96,6 +95,21 @@ impl<'a> Params<'a> {
                 None
             }
         }
+    }
+
+    /// A parameter of the kind itself, as a point, if the file gives it.
+    pub fn point(&mut self, kind: &dyn PassKind, name: &str, faults: &mut Faults) -> Option<[f64; 3]> {
+        let Values::Point = spec(kind, name)? else { return None };
+        let param = self.find(name)?;
+        let numbers = match &param.value {
+            Value::Vector(numbers) => <[f64; 3]>::try_from(numbers.as_slice()).ok(),
+            _ => None,
+        };
+        let point = numbers.filter(|point| point.iter().all(|n| n.abs() <= WORLD_LIMIT));
+        if point.is_none() {
+            faults.push(self.wrong(param, format!("three numbers within ±{WORLD_LIMIT:e}")));
+        }
+        point
     }
 
     /// Refuses a value that was read, for what else is known.
@@ -150,8 +164,40 @@ impl<'a> Params<'a> {
     }
 }
 
-fn spec<'k>(kind: &'k Kind, name: &str) -> Option<&'k Values> {
-    kind.words.iter().find(|word| word.name == name).map(|word| &word.values)
+/// Where a parameter of a pass is, and its bytes for a new value.
+pub(crate) fn rewrite(plan: &Plan, pass: &str, name: &str, value: &Value) -> Result<ParamBytes, Fault> {
+    let Some(of) = plan.passes.iter().find(|known| known.name == pass) else {
+        let known = plan.passes.iter().map(|pass| pass.name.as_str());
+        return Err(Fault::new(format!("no pass of the plan is called `{pass}`")).note(suggest(pass, known)));
+    };
+    // Angles are degrees where their name says so.
+    let (field_name, scale) = match name.strip_suffix("_deg") {
+        Some(radians) => (radians, std::f64::consts::PI / 180.0),
+        None => (name, 1.0),
+    };
+    let Some(slot) = of.params.iter().find(|slot| slot.name == field_name) else {
+        let known = of.params.iter().map(|slot| slot.name.as_str());
+        let message =
+            format!("pass `{pass}` has no parameter `{name}` that can change without planning again");
+        return Err(Fault::new(message).note(suggest(name, known)));
+    };
+    let shader = &plan.shaders[slot.shader];
+    let layout = shader.struct_layout("Params");
+    let field = layout.as_ref().and_then(|layout| layout.fields.iter().find(|field| field.name == slot.name));
+    let bytes = field.and_then(|field| Some((field, encode(shader, field, value, scale)?)));
+    let Some((field, bytes)) = bytes else {
+        let what = field.map(|field| describe(shader, field)).unwrap_or_default();
+        return Err(Fault::new(format!("parameter `{name}` of pass `{pass}` can't be {value}")).note(what));
+    };
+    if slot.fixed {
+        let message = format!("parameter `{name}` of pass `{pass}` can't change without planning again");
+        return Err(Fault::new(message).note("the plan left something out for its value"));
+    }
+    Ok(ParamBytes { resource: slot.resource, offset: field.offset, bytes })
+}
+
+fn spec<'k>(kind: &'k dyn PassKind, name: &str) -> Option<&'k Values> {
+    kind.words().iter().find(|word| word.name == name).map(|word| &word.values)
 }
 
 fn encode(shader: &Shader, field: &Field, value: &Value, scale: f64) -> Option<Vec<u8>> {

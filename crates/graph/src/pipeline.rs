@@ -6,10 +6,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use voxlume_fault::ron::{Document, Fields, Node};
-use voxlume_fault::{Fault, Faults, Source, one_of};
+use voxlume_fault::{Fault, Faults, Source, one_of, suggest};
 use voxlume_scene::WORLD_LIMIT;
 
+use crate::expansion::LAST;
 use crate::grid::Extent;
+use crate::limits::TEXTURE_2D;
+use crate::plan::{ImageExtent, ImageTexel, Update};
 use crate::shown::{Reference, Shows, choice};
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
@@ -59,6 +62,12 @@ pub struct PassEntry {
     pub when: Option<Located<String>>,
     /// Layers of the image that it writes: one, or one for each four lights.
     pub layers: Option<Located<String>>,
+    /// Other names under which its shader has what it reads: the graph's name and the shader's.
+    pub aliases: Vec<(String, String)>,
+    /// The image that an effect writes.
+    pub image: ImageWords,
+    /// When it runs.
+    pub update: Update,
     /// Whether each tile of 4 × 4 pixels shares out the effect's directions, and the image is their mean.
     pub interleave: bool,
     /// What its image's values are; light unless given.
@@ -71,10 +80,41 @@ pub struct PassEntry {
     pub span: Range<usize>,
 }
 
+/// What an entry says of the image that it writes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageWords {
+    /// `scale: n`, the screen's size over n; or `size: (width, height)`.
+    pub extent: ImageExtent,
+    /// `texel: "rgba16float"`.
+    pub texel: ImageTexel,
+    /// Where the file says any of it.
+    pub span: Option<Range<usize>>,
+}
+
 impl PassEntry {
     /// Whether it runs a WGSL file that makes one image, not a kind of pass.
     pub fn is_effect(&self) -> bool {
         self.run.value.starts_with("effect/") || self.run.value.ends_with(".wgsl")
+    }
+
+    /// The value of a parameter, if the file gives it.
+    pub fn param(&self, name: &str) -> Option<&Value> {
+        self.params.iter().find(|param| param.name == name).map(|param| &param.value)
+    }
+
+    /// A parameter that is a word, with its place.
+    pub(crate) fn word(&self, name: &str) -> Option<Located<String>> {
+        let param = self.params.iter().find(|param| param.name == name)?;
+        match &param.value {
+            Value::Word(word) => Some(Located { value: word.clone(), span: param.span.clone() }),
+            _ => None,
+        }
+    }
+
+    /// The name under which the entry's shader has what the graph calls `name`.
+    pub fn alias(&self, name: &str) -> String {
+        let given = self.aliases.iter().find(|(known, _)| known == name);
+        given.map_or_else(|| name.replace(LAST, "_last"), |(_, alias)| alias.clone())
     }
 }
 
@@ -253,7 +293,10 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let mut fields = faults.gather(Fields::of(node))?;
     let run = located::<String>(&mut fields, "run", faults);
     let name = fields.optional::<String>("name", faults);
-    let reads = names(&mut fields, "reads", faults);
+    let mut reads = names(&mut fields, "reads", faults);
+    let aliases = take_aliases(&mut reads);
+    let image = image_words(&mut fields, faults);
+    let update = update(&mut fields, faults);
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
     let interleave = fields.optional::<bool>("interleave", faults).unwrap_or(false);
@@ -300,6 +343,9 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
         updates,
         when,
         layers,
+        aliases,
+        image,
+        update,
         interleave,
         shows,
         reference,
@@ -307,6 +353,80 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
         span,
     })
 }
+
+/// `NAME as ALIAS` among what is read: the name stays, and the aliases are given.
+fn take_aliases(reads: &mut [Located<String>]) -> Vec<(String, String)> {
+    let mut aliases = Vec::new();
+    for read in reads {
+        if let Some((name, alias)) = read.value.split_once(" as ") {
+            let (name, alias) = (name.trim().to_owned(), alias.trim().to_owned());
+            aliases.push((name.clone(), alias));
+            read.value = name;
+        }
+    }
+    aliases
+}
+
+/// Largest whole number that the screen's size can be divided by.
+const LARGEST_SCALE: u32 = 64;
+
+fn image_words(fields: &mut Fields<'_>, faults: &mut Faults) -> ImageWords {
+    let (scale, size, texel) = (fields.node("scale"), fields.node("size"), fields.node("texel"));
+    let span = scale.or(size).or(texel).map(|node| node.span());
+    let divisor = scale.and_then(|node| match node.get::<u32>() {
+        Ok(divisor) if (1..=LARGEST_SCALE).contains(&divisor) => Some(divisor),
+        _ => {
+            let label = format!("a whole number from 1 to {LARGEST_SCALE}: 2 is half the screen's size");
+            faults.push(node.fault("`scale` must divide the screen", label));
+            None
+        }
+    });
+    let size =
+        size.and_then(|node| match node.get::<Vec<u32>>().ok().and_then(|n| <[u32; 2]>::try_from(n).ok()) {
+            Some(size) if size.iter().all(|side| (1..=TEXTURE_2D).contains(side)) => Some((size, node)),
+            _ => {
+                let label = format!("width and height, each from 1 to {TEXTURE_2D}");
+                faults.push(node.fault("`size` must be that of an image", label));
+                None
+            }
+        });
+    if let (Some(_), Some((_, node))) = (divisor, size) {
+        faults.push(node.fault("both `scale` and `size`", "one of them says the image's size"));
+    }
+    let extent = size
+        .map_or(ImageExtent::Screen { divisor: divisor.unwrap_or(1) }, |(size, _)| ImageExtent::Fixed(size));
+    let texel = texel.and_then(|node| {
+        let word = faults.gather(node.get::<String>())?;
+        let known = ImageTexel::WRITABLE.into_iter().find(|texel| texel.name() == word);
+        if known.is_none() {
+            let label = suggest(&word, ImageTexel::WRITABLE.map(ImageTexel::name));
+            faults.push(node.fault(format!("unknown texel `{word}`"), label));
+        }
+        known
+    });
+    ImageWords { extent, texel: texel.unwrap_or(ImageTexel::Rgba16Float), span }
+}
+
+/// `update: (every: N)` or `update: on_demand`.
+fn update(fields: &mut Fields<'_>, faults: &mut Faults) -> Update {
+    let Some(node) = fields.node("update") else { return Update::Changed };
+    if matches!(node.text(), "on_demand" | "\"on_demand\"") {
+        return Update::OnDemand;
+    }
+    let every = Fields::of(node).ok().and_then(|mut fields| {
+        let every = fields.node("every")?.get::<u32>().ok()?;
+        fields.finish(faults);
+        (1..=MOST_FRAMES).contains(&every).then_some(Update::Every(every))
+    });
+    every.unwrap_or_else(|| {
+        let label = format!("`on_demand`, or `(every: N)` with N from 1 to {MOST_FRAMES} frames");
+        faults.push(node.fault("unknown `update`", label));
+        Update::Changed
+    })
+}
+
+/// Most frames between two runs of a pass.
+const MOST_FRAMES: u32 = 10_000;
 
 fn value(node: Node<'_>) -> Result<Value, Faults> {
     let finite = |number: f64| {

@@ -1,9 +1,12 @@
 //! A plan: what a device has to do, as plain data.
 
+use voxlume_fault::Fault;
 use voxlume_format::{Encoding, Numbers};
-use voxlume_shader::{BindingKind, Shader};
+use voxlume_shader::{BindingKind, SampleKind, Shader};
 
 use crate::grid::Grid;
+use crate::params;
+use crate::pipeline::Value;
 
 /// All that an engine needs to carry out a pipeline on a scene. Indices point into the lists beside them.
 #[derive(Clone, Debug)]
@@ -12,7 +15,7 @@ pub struct Plan {
     pub format: String,
     /// Its texel encoding.
     pub encoding: Encoding,
-    /// The voxel grid.
+    /// The first voxel grid, whose centre is the scene's origin.
     pub grid: Grid,
     /// Width and height of the image in pixels.
     pub screen: [u32; 2],
@@ -30,6 +33,9 @@ pub struct Plan {
     pub left_out: Vec<LeftOut>,
     /// The image that is the result, in `resources`.
     pub output: usize,
+    /// Buffers of two words each, in `resources`: how many values an encoding could not hold in a pass, and the largest as
+    /// a float's bits.
+    pub out_of_range: Vec<usize>,
     /// Bytes that it may take on the device; `None` for as many as there are.
     pub memory_budget: Option<u64>,
 }
@@ -41,6 +47,18 @@ pub struct Resource {
     pub name: String,
     /// What it is.
     pub kind: ResourceKind,
+    /// How long its value is kept.
+    pub life: Life,
+}
+
+/// How long a resource's value is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Life {
+    /// Until a pass writes it again.
+    Frame,
+    /// A pass also reads the value before the last writing: there are two of it, which change places when a pass
+    /// writes.
+    History,
 }
 
 /// What a resource is.
@@ -48,6 +66,8 @@ pub struct Resource {
 pub enum ResourceKind {
     /// Part of the scene or the frame, supplied by the engine under this name.
     Scene,
+    /// A uniform buffer that begins with these bytes: a grid's values, or a pass's parameters.
+    Uniform(Vec<u8>),
     /// A storage buffer of a fixed number of bytes.
     Buffer(u64),
     /// A storage buffer with so many bytes for each occupied voxel.
@@ -65,25 +85,47 @@ pub enum ResourceKind {
         /// What its texels hold.
         numbers: Numbers,
     },
-    /// A texture of the screen's size.
+    /// A 2D texture.
     Image {
+        /// Texels along x and y.
+        extent: ImageExtent,
         /// Its texels.
         texel: ImageTexel,
         /// Array layers.
         layers: u32,
+        /// Mip levels.
+        mips: u32,
     },
-    /// A square of one byte a texel, which gives rasterization its extent.
+    /// A target that nothing is drawn on, which gives rasterization its extent: a square of one byte a texel.
     Raster {
         /// Side in texels.
         side: u32,
     },
-    /// Depth maps of lights.
-    ShadowMaps {
-        /// Side in texels.
-        size: u32,
-        /// One for each directional or spot light, six for each point light.
-        layers: u32,
+}
+
+/// The size of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImageExtent {
+    /// The screen's size over a whole number, rounded up.
+    Screen {
+        /// 1 for the screen's own size.
+        divisor: u32,
     },
+    /// So many texels along x and y, whatever the screen.
+    Fixed([u32; 2]),
+}
+
+impl ImageExtent {
+    /// The screen's own size.
+    pub const SCREEN: ImageExtent = ImageExtent::Screen { divisor: 1 };
+
+    /// Texels along x and y on a screen of this size.
+    pub fn size(self, screen: [u32; 2]) -> [u32; 2] {
+        match self {
+            ImageExtent::Screen { divisor } => screen.map(|side| side.div_ceil(divisor.max(1))),
+            ImageExtent::Fixed(size) => size,
+        }
+    }
 }
 
 /// Texels of images.
@@ -91,35 +133,153 @@ pub enum ResourceKind {
 pub enum ImageTexel {
     /// Four half floats.
     Rgba16Float,
-    /// sRGB colour, linear alpha, 8 bits each.
+    /// Four floats.
+    Rgba32Float,
+    /// Two floats.
+    Rg32Float,
+    /// One float.
+    R32Float,
+    /// One whole number.
+    R32Uint,
+    /// Four shares of 1, 8 bits each.
+    Rgba8Unorm,
+    /// sRGB colour, linear alpha, 8 bits each; only drawn, never written by a compute shader.
     Rgba8Srgb,
-    /// 32-bit float depth.
+    /// 32-bit float depth; only drawn.
     Depth32,
 }
 
 impl ImageTexel {
+    /// Those that an effect can write: WebGPU guarantees each as a storage texture.
+    pub const WRITABLE: [ImageTexel; 6] = [
+        ImageTexel::Rgba16Float,
+        ImageTexel::Rgba32Float,
+        ImageTexel::Rg32Float,
+        ImageTexel::R32Float,
+        ImageTexel::R32Uint,
+        ImageTexel::Rgba8Unorm,
+    ];
+
+    /// The word in RON, which is WGSL's for a storage texture of such texels.
+    pub fn name(self) -> &'static str {
+        match self {
+            ImageTexel::Rgba16Float => "rgba16float",
+            ImageTexel::Rgba32Float => "rgba32float",
+            ImageTexel::Rg32Float => "rg32float",
+            ImageTexel::R32Float => "r32float",
+            ImageTexel::R32Uint => "r32uint",
+            ImageTexel::Rgba8Unorm => "rgba8unorm",
+            ImageTexel::Rgba8Srgb => "rgba8srgb",
+            ImageTexel::Depth32 => "depth32float",
+        }
+    }
+
+    /// What a shader's variable wants instead, where it can't be bound to an image of such texels.
+    pub(crate) fn misfit(self, variable: &BindingKind) -> Option<String> {
+        match variable {
+            BindingKind::StorageTexture { format, .. } => {
+                (format != self.name()).then(|| format!("a storage texture of {format}"))
+            }
+            BindingKind::Texture { sample, filterable, .. } => {
+                let own = match self {
+                    ImageTexel::Depth32 => SampleKind::Depth,
+                    ImageTexel::R32Uint => SampleKind::Uint,
+                    _ => SampleKind::Float,
+                };
+                let filters =
+                    matches!(self, ImageTexel::Rgba16Float | ImageTexel::Rgba8Unorm | ImageTexel::Rgba8Srgb);
+                let what = match sample {
+                    SampleKind::Float => "floats",
+                    SampleKind::Depth => "depths",
+                    SampleKind::Uint => "whole numbers, not negative",
+                    SampleKind::Sint => "whole numbers",
+                };
+                if own != *sample {
+                    return Some(format!("a texture of {what}"));
+                }
+                (own == SampleKind::Float && *filterable && !filters)
+                    .then(|| "texels that a sampler filters; `textureLoad` reads these".to_owned())
+            }
+            _ => Some("no texture".to_owned()),
+        }
+    }
+
     /// Bytes of a texel.
     pub fn bytes(self) -> u64 {
         match self {
-            ImageTexel::Rgba16Float => 8,
-            ImageTexel::Rgba8Srgb | ImageTexel::Depth32 => 4,
+            ImageTexel::Rgba32Float => 16,
+            ImageTexel::Rgba16Float | ImageTexel::Rg32Float => 8,
+            ImageTexel::R32Float
+            | ImageTexel::R32Uint
+            | ImageTexel::Rgba8Unorm
+            | ImageTexel::Rgba8Srgb
+            | ImageTexel::Depth32 => 4,
         }
     }
 }
 
-/// One pass of the pipeline.
+/// One pass of the pipeline: it runs whole or not at all.
 #[derive(Clone, Debug)]
 pub struct Pass {
     /// The name in the pipeline.
     pub name: String,
-    /// Whether it has to run only once, as nothing that it depends on changes from frame to frame.
-    pub once: bool,
     /// Names of the graph's resources that it reads, for `explain`.
     pub reads: Vec<String>,
     /// Names of those that it writes or updates.
     pub writes: Vec<String>,
     /// What to do, in order.
     pub steps: Vec<Step>,
+    /// What it depends on beside `inputs`.
+    pub sources: Sources,
+    /// Resources, in [`Plan::resources`], of which it uses what earlier passes, or it in an earlier frame, left there.
+    pub inputs: Vec<usize>,
+    /// Names in the graph of what is in `inputs`, for `explain`.
+    pub waits_for: Vec<String>,
+    /// Resources that it writes and that some pass, or the reader of the output, may find there.
+    pub outputs: Vec<usize>,
+    /// When it runs.
+    pub update: Update,
+    /// Its parameters that can be changed without planning again.
+    pub params: Vec<ParamSlot>,
+}
+
+/// What a pass depends on beside the resources that other passes make.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sources {
+    /// Where triangles are.
+    pub geometry: bool,
+    /// Lights and sky.
+    pub lights: bool,
+    /// The camera, and the screen's size.
+    pub camera: bool,
+    /// The pass's own parameters.
+    pub parameters: bool,
+    /// The frame's number and time: it runs in every frame.
+    pub time: bool,
+}
+
+/// When a pass runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Update {
+    /// In each frame in which something that it depends on has changed.
+    Changed,
+    /// Likewise, but at most once in so many frames (DVS, "Optimizations").
+    Every(u32),
+    /// In the first frame, and then in those for which it is asked by name.
+    OnDemand,
+}
+
+/// A parameter's place in its pass's uniform buffer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParamSlot {
+    /// The name in WGSL.
+    pub name: String,
+    /// The buffer, in [`Plan::resources`].
+    pub resource: usize,
+    /// The shader whose `Params` says what it takes, in [`Plan::shaders`].
+    pub shader: usize,
+    /// Whether the plan left something out for its value: another value needs another plan.
+    pub fixed: bool,
 }
 
 /// One dispatch, draw or clear.
@@ -182,9 +342,9 @@ pub struct Program {
 /// One variable of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bind {
-    /// `@group`.
+    /// The `@group` that the linker gave it.
     pub group: u32,
-    /// `@binding`.
+    /// The `@binding` that the linker gave it.
     pub binding: u32,
     /// The variable's name in WGSL.
     pub name: String,
@@ -206,7 +366,9 @@ pub enum Target {
         /// The mip level.
         mip: u32,
     },
-    /// A uniform buffer with these bytes.
+    /// The last value of a resource whose life is [`Life::History`].
+    Last(usize),
+    /// A uniform buffer with these bytes, which never change.
     Uniform(Vec<u8>),
     /// A texture of one texel of zeroes: what would be here was left out.
     Nothing,
@@ -217,6 +379,8 @@ pub enum Target {
 pub enum Groups {
     /// This many.
     Fixed([u32; 3]),
+    /// One for each 8 × 8 texels of an image, and each of its layers.
+    Tiles(usize),
     /// As many as a buffer says at an offset in bytes.
     Indirect {
         /// The buffer.
@@ -265,20 +429,46 @@ impl Plan {
     /// Bytes of a resource, once the number of occupied voxels and of cells of all levels is known; `None` for
     /// what the engine supplies.
     pub fn bytes(&self, resource: usize, voxels: u64, cells: u64) -> Option<u64> {
-        let [width, height] = self.screen.map(u64::from);
-        Some(match &self.resources[resource].kind {
+        let resource = &self.resources[resource];
+        let bytes = match &resource.kind {
             ResourceKind::Scene => return None,
+            ResourceKind::Uniform(bytes) => bytes.len() as u64,
             ResourceKind::Buffer(bytes) => *bytes,
             ResourceKind::PerVoxel(bytes) => bytes * voxels,
             ResourceKind::PerCell(bytes) => bytes * cells,
             ResourceKind::Volume { size, mips, encoding, numbers } => {
                 volume_texels(*size, *mips) * numbers.texel_bytes(*encoding)
             }
-            ResourceKind::Image { texel, layers } => width * height * u64::from(*layers) * texel.bytes(),
+            ResourceKind::Image { extent, texel, layers, mips } => {
+                let [width, height] = extent.size(self.screen);
+                volume_texels([width, height, 1], *mips) * u64::from(*layers) * texel.bytes()
+            }
             ResourceKind::Raster { side } => u64::from(*side).pow(2),
-            ResourceKind::ShadowMaps { size, layers } => u64::from(*size).pow(2) * u64::from(*layers) * 4,
+        };
+        Some(match resource.life {
+            Life::Frame => bytes,
+            Life::History => 2 * bytes,
         })
     }
+
+    /// Where a parameter of a pass is kept, and the bytes to write there for a value.
+    ///
+    /// # Errors
+    /// No such pass or parameter, a value that it can't have, or one that needs another plan.
+    pub fn parameter(&self, pass: &str, name: &str, value: &Value) -> Result<ParamBytes, Fault> {
+        params::rewrite(self, pass, name, value)
+    }
+}
+
+/// New bytes for a pass's parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParamBytes {
+    /// The buffer, in [`Plan::resources`].
+    pub resource: usize,
+    /// Where in it.
+    pub offset: u64,
+    /// What to write there.
+    pub bytes: Vec<u8>,
 }
 
 fn volume_texels(size: [u32; 3], mips: u32) -> u64 {

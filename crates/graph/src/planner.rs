@@ -6,16 +6,21 @@ use voxlume_fault::{Fault, Faults, Source, suggest};
 use voxlume_format::Formats;
 use voxlume_shader::Library;
 
+use crate::bundle::Bundle;
 use crate::entries::{check_entries, images, makes};
-use crate::expand::{self, Context, Expansion, Storage};
+use crate::expansion::context::Given;
+use crate::expansion::{Context, Expanded, Expansion, LAST};
 use crate::facts::SceneFacts;
+use crate::flow::Flow;
 use crate::grid::Grid;
-use crate::kind::Kind;
 use crate::limits;
-use crate::live::{explain_channels, live};
+use crate::live::{explain_branches, live, uses_area_lights};
 use crate::order::{Makers, order};
+use crate::pass::Kinds;
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
-use crate::plan::{Pass, Plan};
+use crate::plan::{Pass, Plan, Target};
+use crate::prune::prune;
+use crate::storage::Storage;
 use crate::variant;
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
@@ -56,17 +61,6 @@ impl Request {
     }
 }
 
-/// Effects are made by a kind of their own, which has no word: `run` names the effect.
-static EFFECT_KIND: Kind = Kind {
-    name: "effect",
-    sentence: "runs a cone-traced effect for every pixel",
-    reads: &[],
-    writes: &[],
-    updates: &[],
-    words: &[],
-    expand: expand::screen::effect,
-};
-
 /// Plans a pipeline for a scene.
 ///
 /// # Errors
@@ -78,14 +72,29 @@ pub fn plan(
     library: &Library,
     request: &Request,
 ) -> Result<Plan, Faults> {
+    plan_with(pipeline, facts, &Kinds::builtin(), formats, library, request)
+}
+
+/// As [`plan`], with kinds of passes from other crates.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_with(
+    pipeline: &Pipeline,
+    facts: &SceneFacts,
+    kinds: &Kinds,
+    formats: &Formats,
+    library: &Library,
+    request: &Request,
+) -> Result<Plan, Faults> {
     let mut faults = Faults::default();
     let mut pipeline = pipeline.clone();
     apply(&mut pipeline, request, &mut faults);
     let library = with_own_effects(&pipeline, library, &mut faults);
     let pipeline = &pipeline;
 
-    let format = variant::format(pipeline, formats, &mut faults);
-    let encoding = variant::encoding(pipeline, &mut faults);
+    let format = variant::format(pipeline, &pipeline.format, formats, &mut faults);
+    let encoding = variant::encoding(pipeline, &pipeline.encoding, &mut faults);
     if !["conservative", "thin"].contains(&pipeline.separability.value.as_str()) {
         faults.push(unknown(pipeline, "separability", &pipeline.separability, &["conservative", "thin"]));
     }
@@ -96,11 +105,10 @@ pub fn plan(
         faults.push(pipeline.fault(&resolution.span, message, label));
     }
     limits::check_screen(request.screen, &mut faults);
-    check_entries(pipeline, &library, &mut faults);
-    let makers = Makers::of(pipeline, &mut faults);
-    if !pipeline.passes.iter().any(|pass| makes(pass, &pipeline.output.value)) {
-        let made: Vec<&str> = images(pipeline).collect();
-        faults.push(unknown(pipeline, "output", &pipeline.output, &made));
+    check_entries(pipeline, kinds, &library, &mut faults);
+    let makers = Makers::of(pipeline, kinds, &mut faults);
+    if !pipeline.passes.iter().any(|pass| makes(kinds, pass, &pipeline.output.value)) {
+        faults.push(unknown(pipeline, "output", &pipeline.output, &images(pipeline, kinds)));
     }
     let ordered = faults.gather(order(pipeline, &makers));
     let (Some((format, choices)), Some(encoding), Some(ordered), true) =
@@ -109,55 +117,42 @@ pub fn plan(
         return Err(faults);
     };
 
-    let area_lights = uses_area_lights(pipeline, facts);
+    let area_lights = uses_area_lights(pipeline, facts, kinds);
     let grid = Grid::new(pipeline.resolution.value, pipeline.extent, facts.bounds);
-    let storage = Storage::new(format, choices, encoding, request.filters_float32);
+    let filters_float32 = request.filters_float32;
+    let storage = Storage::new(format, choices, encoding, filters_float32);
     let plan_format = storage.word();
-    let mut context = Context::new(pipeline, facts, storage, grid, request.screen, library, area_lights);
+    let screen = request.screen;
+    let given = Given { pipeline, facts, kinds, formats, library: &library, screen, filters_float32 };
+    let mut context = Context::new(given, storage, grid, area_lights);
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();
     for index in ordered.into_iter().filter(|index| live.contains(index)) {
         let entry = &pipeline.passes[index];
-        let kind = kind_of(entry);
-        let mut expansion = Expansion::new(&mut context, entry, kind);
-        (kind.expand)(&mut expansion);
-        let (once, steps) = expansion.finish();
-        let words = |list: &[Located<String>]| list.iter().map(|name| name.value.clone()).collect::<Vec<_>>();
-        let reads: Vec<String> =
-            words(&entry.reads).into_iter().filter(|name| context.available.contains(name)).collect();
-        let writes = [words(&entry.writes), words(&entry.updates)].concat();
-        let parts = [
-            (format!("{} static", entry.name), true, once),
-            (entry.name.clone(), kind.name == "voxelize" && facts.moving_triangles == 0, steps),
-        ];
-        passes.extend(parts.map(|(name, once, steps)| Pass {
-            name,
-            once,
-            reads: reads.clone(),
-            writes: writes.clone(),
-            steps,
-        }));
+        let mut expansion = Expansion::new(&mut context, entry);
+        kinds.of(entry).expand(&mut expansion);
+        passes.extend(finished(entry, expansion.finish(), &context));
     }
-    passes.retain(|pass| !pass.steps.is_empty());
-    explain_channels(&mut context);
+    explain_branches(&mut context);
+    prune(&mut passes, &mut context.resources, &mut context.out_of_range, &pipeline.output.value);
     limits::check_resources(pipeline, &mut context);
     let output = context.resources.iter().position(|resource| resource.name == pipeline.output.value);
     if output.is_none() && context.faults.is_empty() {
         let name = &pipeline.output.value;
-        let makes_it = |pass: &&PassEntry| makes(pass, name);
+        let makes_it = |pass: &&PassEntry| makes(kinds, pass, name);
         let pass = pipeline.passes.iter().find(makes_it).map(|pass| format!("pass `{}`", pass.name));
         let why = context.left_out.iter().find(|item| Some(&item.what) == pass.as_ref());
         let why = why.map(|item| item.why.clone()).unwrap_or_default();
         let message = format!("this scene has no `{name}`");
         context.faults.push(pipeline.fault(&pipeline.output.span, message, why));
     }
-    let Context { shaders, resources, left_out, faults, grid, .. } = context;
+    let Context { shaders, resources, left_out, faults, mut grids, out_of_range, .. } = context;
     let Some(output) = output.filter(|_| faults.is_empty()) else { return Err(faults) };
     let plan = Plan {
         format: plan_format,
         encoding,
-        grid,
-        screen: request.screen,
+        grid: grids.swap_remove(0),
+        screen,
         triangles: facts.triangles,
         area_lights,
         shaders,
@@ -165,6 +160,7 @@ pub fn plan(
         passes,
         left_out,
         output,
+        out_of_range,
         memory_budget: request.memory_budget,
     };
     limits::check_budget(&plan, facts)?;
@@ -220,16 +216,29 @@ pub(crate) fn unknown(pipeline: &Pipeline, what: &str, word: &Located<String>, c
     pipeline.fault(&word.span, message, suggest(&word.value, choices.iter().copied()))
 }
 
-fn kind_of(entry: &PassEntry) -> &'static Kind {
-    Kind::get(&entry.run.value).unwrap_or(&EFFECT_KIND)
-}
-
-/// Emissive polygons are lights of their own where they are few and the light pass doesn't say otherwise.
-fn uses_area_lights(pipeline: &Pipeline, facts: &SceneFacts) -> bool {
-    let gather = pipeline.passes.iter().filter(|pass| pass.run.value == "light").any(|pass| {
-        pass.params
-            .iter()
-            .any(|param| param.name == "emission" && param.value == Value::Word("gather".into()))
-    });
-    facts.emissive && facts.polygons.is_some() && !gather
+/// The passes that an entry becomes: what has to be done only once, and the rest.
+fn finished(entry: &PassEntry, expanded: Expanded, context: &Context<'_>) -> Vec<Pass> {
+    let Expanded { once, steps, params } = expanded;
+    let written = |name: &&Located<String>| context.bundles.contains_key(name.value.trim_end_matches(LAST));
+    let words = |name: &Located<String>| name.value.clone();
+    let reads: Vec<String> = entry.reads.iter().filter(written).map(words).collect();
+    let writes: Vec<String> = entry.writes.iter().chain(&entry.updates).map(words).collect();
+    let parts =
+        [(format!("{} static", entry.name), once, vec![], true), (entry.name.clone(), steps, params, false)];
+    let parts = parts.into_iter().filter(|(_, steps, ..)| !steps.is_empty());
+    parts
+        .map(|(name, steps, params, never_moves)| {
+            let Flow { mut sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+            sources.geometry &= context.facts.moving_triangles > 0 && !never_moves;
+            let (reads, writes, update) = (reads.clone(), writes.clone(), entry.update);
+            let has_input = |name: &str| {
+                let bundle = context.bundles.get(name.trim_end_matches(LAST));
+                let mut parts = bundle.into_iter().flat_map(Bundle::parts);
+                parts.any(|(_, target)| matches!(target, Target::Resource(index) if inputs.contains(index)))
+            };
+            let named = entry.reads.iter().chain(&entry.updates).map(words);
+            let waits_for = named.filter(|name| has_input(name)).collect();
+            Pass { name, reads, writes, steps, sources, inputs, waits_for, outputs, update, params }
+        })
+        .collect()
 }

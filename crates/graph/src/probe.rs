@@ -2,17 +2,20 @@
 
 use glam::DVec3;
 use voxlume_fault::{Faults, Source};
-use voxlume_format::{Choices, Encoding, StorageFormat};
+use voxlume_format::{Choices, Encoding, Formats, StorageFormat};
 use voxlume_scene::Scene;
 use voxlume_shader::Library;
 
-use crate::expand::voxelize::LEVEL_RUN_BYTES;
-use crate::expand::{Binds, Context, Expansion, Storage, groups_for};
+use crate::bundle::Bundle;
+use crate::expansion::context::Given;
+use crate::expansion::{Context, Expanded, Expansion, LEVEL_RUN_BYTES, Over, groups_for};
 use crate::facts::SceneFacts;
+use crate::flow::Flow;
 use crate::grid::Grid;
-use crate::kind::{KINDS, Kind};
+use crate::pass::{Kinds, PassKind, Port, Sort, attribute_stride};
 use crate::pipeline::Pipeline;
-use crate::plan::{Pass, Plan, ResourceKind, Target};
+use crate::plan::{Pass, Plan, ResourceKind, Target, Update};
+use crate::storage::Storage;
 
 /// How much a [`probe`] holds.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +42,37 @@ const PIPELINE: &str = r#"(
     ],
 )"#;
 
-static PROBE: Kind =
-    Kind { name: "probe", sentence: "", reads: &[], writes: &[], updates: &[], words: &[], expand: sample };
+/// Samples the volume at given places.
+#[derive(Debug)]
+struct Probe {
+    samples: u32,
+}
+
+impl PassKind for Probe {
+    fn name(&self) -> &str {
+        "probe"
+    }
+
+    fn sentence(&self) -> &str {
+        "samples the volume at given places"
+    }
+
+    fn reads(&self) -> &[Port] {
+        &[const { Port::new("volume", Sort::VOLUME, "filtered radiance and opacity") }]
+    }
+
+    fn writes(&self) -> &[Port] {
+        &[const { Port::new("probed", Sort::new("samples"), "what was found") }]
+    }
+
+    fn expand(&self, pass: &mut Expansion<'_, '_>) {
+        let [probes, probed] = ["probes", "probed"].map(|name| pass.resource(name, ResourceKind::Buffer(0)));
+        pass.run("pass/probe")
+            .reads("probes", Target::Resource(probes))
+            .writes("probed", Target::Resource(probed))
+            .over(Over::Groups(groups_for(self.samples, 64)));
+    }
+}
 
 /// Plans what `filter` does for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
 /// `levels`, `attributes` (12 words a voxel, the last its opacity) and `radiance`, and then samples the volume as
@@ -61,42 +93,66 @@ pub fn probe(
     let grid = Grid { size: [size.side; 3], centre: DVec3::ZERO, voxel_size: 1.0 };
     let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
-    let mut context = Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), false);
+    let mut kinds = Kinds::builtin();
+    kinds.add(Probe { samples: size.samples });
+    let (formats, filters_float32) = (Formats::builtin(), size.filters_float32);
+    let given = Given {
+        pipeline: &pipeline,
+        facts: &facts,
+        kinds: &kinds,
+        formats: &formats,
+        library,
+        screen: [1, 1],
+        filters_float32,
+    };
+    let mut context = Context::new(given, storage, grid, false);
     // Opacity as it comes.
-    context.coverage = true;
-    let stride = u64::from(context.attribute_stride());
+    let stride = attribute_stride(context.voxel_emission(), true);
     let samples = u64::from(size.samples);
+    let mut voxels = Bundle::of("grid", Target::Resource(context.grid_resource(0)));
+    voxels.set_grid(0);
+    voxels.with("HAS_COVERAGE", 1.0);
+    voxels.with("ATTRIBUTE_STRIDE", f64::from(stride));
     for (name, bytes) in [
         ("occupancy", words * 4),
         ("ranks", (words + 1) * 4),
         ("cells", size.cells * 4),
         ("levels", levels * LEVEL_RUN_BYTES),
-        ("attributes", size.voxels * stride * 4),
-        ("radiance", size.voxels * 16),
-        ("probes", samples * PROBE_BYTES),
-        ("probed", samples * 48),
+        ("attributes", size.voxels * u64::from(stride) * 4),
     ] {
-        context.resource(name, ResourceKind::Buffer(bytes));
+        voxels.add(name, Target::Resource(context.resource(name, ResourceKind::Buffer(bytes))));
     }
-    let named = |name: &str, context: &Context<'_>| {
-        context.resources.iter().position(|resource| resource.name == name).unwrap_or_default()
-    };
-    context.first = named("radiance", &context);
-    let output = named("probed", &context);
+    let mut buffer = |name, bytes| context.resource(name, ResourceKind::Buffer(bytes));
+    let radiance = buffer("radiance", size.voxels * 16);
+    buffer("probes", samples * PROBE_BYTES);
+    let output = buffer("probed", samples * 48);
+    context.bundles.insert("voxels".into(), voxels);
+    context.bundles.insert("radiance".into(), Bundle::of("direct", Target::Resource(radiance)));
     let mut passes = Vec::new();
     for entry in &pipeline.passes {
-        let kind = KINDS.iter().find(|kind| kind.name == entry.name).unwrap_or(&PROBE);
-        let mut expansion = Expansion::new(&mut context, entry, kind);
-        (kind.expand)(&mut expansion);
-        // Neither kind has anything to do only once.
-        let (_, steps) = expansion.finish();
-        passes.push(Pass { name: entry.name.clone(), once: false, reads: vec![], writes: vec![], steps });
+        let mut expansion = Expansion::new(&mut context, entry);
+        kinds.of(entry).expand(&mut expansion);
+        let Expanded { steps, params, .. } = expansion.finish();
+        let Flow { sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+        let (name, update) = (entry.name.clone(), Update::Changed);
+        passes.push(Pass {
+            name,
+            reads: vec![],
+            writes: vec![],
+            steps,
+            sources,
+            inputs,
+            waits_for: vec![],
+            outputs,
+            update,
+            params,
+        });
     }
-    let Context { shaders, resources, faults, grid, .. } = context;
+    let Context { shaders, resources, faults, mut grids, out_of_range, .. } = context;
     faults.into_result(Plan {
         format: format.name().to_owned(),
         encoding,
-        grid,
+        grid: grids.swap_remove(0),
         screen: [1, 1],
         triangles: 0,
         area_lights: false,
@@ -105,17 +161,7 @@ pub fn probe(
         passes,
         left_out: Vec::new(),
         output,
+        out_of_range,
         memory_budget: None,
     })
-}
-
-fn sample(e: &mut Expansion<'_, '_>) {
-    let [probes, probed] = ["probes", "probed"].map(|name| e.context.resource(name, ResourceKind::Buffer(0)));
-    let targets = [("probes", Target::Resource(probes)), ("probed", Target::Resource(probed))];
-    let samples = match e.context.resources[probes].kind {
-        ResourceKind::Buffer(bytes) => bytes / PROBE_BYTES,
-        _ => 0,
-    };
-    let binds = Binds { targets: &targets, ..Binds::default() };
-    e.compute("pass/probe", "main", &binds, groups_for(samples as u32, 64));
 }

@@ -41,13 +41,14 @@ impl<'w> Variant<'w> {
     }
 }
 
-/// The format that the pipeline names, and what it chooses of its options.
+/// The format that a word of the pipeline names, and what it chooses of its options.
 pub(crate) fn format<'f>(
     pipeline: &Pipeline,
+    word: &Located<String>,
     formats: &'f Formats,
     faults: &mut Faults,
 ) -> Option<(&'f dyn StorageFormat, Choices)> {
-    let variant = Variant::of(&pipeline.format);
+    let variant = Variant::of(word);
     let Some(format) = formats.get(variant.name.text) else {
         let names = formats.iter().map(StorageFormat::name);
         faults.push(unknown(pipeline, "storage format", &variant.name, names));
@@ -73,9 +74,9 @@ pub(crate) fn format<'f>(
     Some((format, choices))
 }
 
-/// The encoding that the pipeline names.
-pub(crate) fn encoding(pipeline: &Pipeline, faults: &mut Faults) -> Option<Encoding> {
-    let variant = Variant::of(&pipeline.encoding);
+/// The encoding that a word of the pipeline names.
+pub(crate) fn encoding(pipeline: &Pipeline, word: &Located<String>, faults: &mut Faults) -> Option<Encoding> {
+    let variant = Variant::of(word);
     let known = Encoding::ALL.into_iter().find(|encoding| encoding.name() == variant.name.text);
     let Some(mut encoding) = known else {
         let names = Encoding::ALL.map(Encoding::name);
@@ -131,7 +132,7 @@ pub fn check_variant(
     pipeline.format = Located { value: format_word.to_owned(), span: None };
     pipeline.encoding = Located { value: encoding_word.to_owned(), span: None };
     let mut faults = Faults::default();
-    format(&pipeline, formats, &mut faults);
-    encoding(&pipeline, &mut faults);
+    format(&pipeline, &pipeline.format, formats, &mut faults);
+    encoding(&pipeline, &pipeline.encoding, &mut faults);
     faults.into_result(())
 }

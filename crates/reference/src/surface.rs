@@ -1,7 +1,7 @@
 //! The surface that a ray meets.
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
-use voxlume_scene::{Geometry, Material};
+use voxlume_scene::{DIELECTRIC_F0, Geometry, Material};
 
 use crate::lobe::Lobe;
 use crate::request::Reflection;
@@ -44,7 +44,7 @@ impl Surface {
         let diffuse = self.base_color * (1.0 - self.metallic);
         match reflection {
             Reflection::Gltf => {
-                let f0 = Vec3::splat(0.04).lerp(self.base_color, self.metallic);
+                let f0 = Vec3::splat(DIELECTRIC_F0).lerp(self.base_color, self.metallic);
                 Lobe::Gltf { diffuse, f0, alpha: self.alpha }
             }
             Reflection::Lambert => Lobe::Lambert(diffuse),

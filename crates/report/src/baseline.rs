@@ -2,36 +2,18 @@
 
 use crate::number::{percent, short};
 use crate::results::{Outcome, Results, Row};
+use crate::table::{SUBJECT, subject};
 use crate::text::align;
 
 /// For each row of `now` that `then` has too: time and error of both, and how they changed. Says which rows only one
 /// of them has, and where the devices differ, so that times are not comparable. Ends with a line feed.
 pub fn against(now: &Results, then: &Results) -> String {
-    let head = [
-        "scene",
-        "effect",
-        "format",
-        "encoding",
-        "N",
-        "total ms",
-        "was",
-        "×",
-        "RMSE",
-        "was",
-        "×",
-        "bias/mean",
-        "was",
-    ];
-    let mut lines = vec![(head.map(str::to_owned).to_vec(), String::new())];
+    let compared = ["total ms", "was", "×", "RMSE", "was", "×", "bias/mean", "was"];
+    let head = SUBJECT.iter().chain(&compared).map(|head| (*head).to_owned()).collect();
+    let mut lines = vec![(head, String::new())];
     for row in &now.rows {
-        let old = then.rows.iter().find(|old| subject(old) == subject(row));
-        let mut cells = vec![
-            row.scene.clone(),
-            row.effect.clone(),
-            row.format.clone(),
-            row.encoding.clone(),
-            row.resolution.to_string(),
-        ];
+        let old = then.rows.iter().find(|old| key(old) == key(row));
+        let mut cells = subject(row).to_vec();
         let note = match (&row.outcome, old.map(|old| &old.outcome)) {
             (
                 Outcome::Measured { total_ms, error, .. },
@@ -57,7 +39,7 @@ pub fn against(now: &Results, then: &Results) -> String {
         lines.push((cells, note.to_owned()));
     }
     let mut text = align(&lines, 4);
-    let gone = then.rows.iter().filter(|old| now.rows.iter().all(|row| subject(row) != subject(old))).count();
+    let gone = then.rows.iter().filter(|old| now.rows.iter().all(|row| key(row) != key(old))).count();
     if gone > 0 {
         text += &format!("{gone} rows of the baseline were not run\n");
     }
@@ -70,8 +52,8 @@ pub fn against(now: &Results, then: &Results) -> String {
     text
 }
 
-/// What a row is about.
-fn subject(row: &Row) -> (&str, &str, &str, &str, [u32; 3]) {
+/// What two rows have in common that can be compared.
+fn key(row: &Row) -> (&str, &str, &str, &str, [u32; 3]) {
     (&row.scene, &row.effect, &row.format, &row.encoding, [row.resolution, row.width, row.height])
 }
 

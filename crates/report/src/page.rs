@@ -77,26 +77,22 @@ fn head(title: &str, device: &Device, date: &str, subtitle: &str) -> String {
 
 /// Scenes and effects in the order in which they come.
 fn groups(results: &Results) -> Vec<(&str, &str)> {
-    let mut groups = Vec::new();
-    for row in &results.rows {
-        let group = (row.scene.as_str(), row.effect.as_str());
-        if !groups.contains(&group) {
-            groups.push(group);
-        }
-    }
-    groups
+    distinct(results.rows.iter().map(|row| (row.scene.as_str(), row.effect.as_str())))
 }
 
 /// Formats and encodings in the order in which they come: each has its colour.
 fn series(results: &Results) -> Vec<(&str, &str)> {
-    let mut series = Vec::new();
-    for row in &results.rows {
-        let one = (row.format.as_str(), row.encoding.as_str());
-        if !series.contains(&one) {
-            series.push(one);
+    distinct(results.rows.iter().map(|row| (row.format.as_str(), row.encoding.as_str())))
+}
+
+fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+    let mut distinct = Vec::new();
+    for item in items {
+        if !distinct.contains(&item) {
+            distinct.push(item);
         }
     }
-    series
+    distinct
 }
 
 fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize) {

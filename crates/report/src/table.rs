@@ -1,7 +1,7 @@
 //! Results as a table of plain text.
 
 use crate::number::{bytes, percent, short};
-use crate::results::{Outcome, Results};
+use crate::results::{Outcome, Results, Row};
 use crate::text::align;
 
 /// Head of the columns shared with the page's table, after effect and place.
@@ -23,19 +23,21 @@ pub(crate) fn figures(total_ms: f64, volume_bytes: u64, error: &crate::Errors) -
     ]
 }
 
+/// Heads of the columns that say what a row is about.
+pub(crate) const SUBJECT: [&str; 5] = ["scene", "effect", "format", "encoding", "N"];
+
+/// What a row is about, as [`SUBJECT`] has it.
+pub(crate) fn subject(row: &Row) -> [String; 5] {
+    let Row { scene, effect, format, encoding, resolution, .. } = row;
+    [scene.clone(), effect.clone(), format.clone(), encoding.clone(), resolution.to_string()]
+}
+
 /// Aligned columns: figures to the right, notes and faults last. Ends with a line feed.
 pub fn table(results: &Results) -> String {
-    let mut head = ["scene", "effect", "format", "encoding", "N"].map(str::to_owned).to_vec();
-    head.extend(FIGURES.map(str::to_owned));
+    let head = SUBJECT.iter().chain(&FIGURES).map(|head| (*head).to_owned()).collect();
     let mut rows = vec![(head, String::new())];
     for row in &results.rows {
-        let mut cells = vec![
-            row.scene.clone(),
-            row.effect.clone(),
-            row.format.clone(),
-            row.encoding.clone(),
-            row.resolution.to_string(),
-        ];
+        let mut cells = subject(row).to_vec();
         let note = match &row.outcome {
             Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 cells.extend(figures(*total_ms, *volume_bytes, error));

@@ -1,11 +1,10 @@
 //! Whether a scene is what [`Scene`] promises, wherever it comes from.
 
-use std::f32::consts::{FRAC_PI_2, PI};
-
 use glam::{DVec3, Vec3, Vec4Swizzles};
 use voxlume_fault::{Fault, Faults};
 
 use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
+use crate::rule;
 use crate::{Animation, Camera, Key, Light, LightKind, Material, Mesh, Scene};
 
 /// How far from the world's origin anything may reach: beyond it, squares of lengths leave `f32`.
@@ -51,9 +50,7 @@ impl Scene {
         for (index, camera) in self.cameras.iter().enumerate() {
             part("camera", index, &camera.name, camera.check());
         }
-        if !is_amount(self.sky) {
-            faults.push(Fault::new("the sky must be finite and at least 0"));
-        }
+        faults.gather(rule::check(rule::LIGHT, "`sky`", self.sky).map_err(Fault::new));
         let Animation { instances, lights, cameras } = &self.animation;
         let paths = (instances.iter().map(|m| ("instance", m.index, self.instances.len(), &m.path)))
             .chain(lights.iter().map(|m| ("light", m.index, self.lights.len(), &m.path)))
@@ -85,6 +82,11 @@ impl Scene {
                 return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", instance.name)));
             }
         }
+        let lights = self.lights.iter().filter_map(|light| Some((&light.name, light.position()?)));
+        let cameras = self.cameras.iter().map(|camera| (&camera.name, camera.eye));
+        if let Some((name, _)) = lights.chain(cameras).find(|(_, place)| beyond((*place, *place))) {
+            return Err(Fault::new(format!("`{name}` lies beyond {WORLD_LIMIT:e} units")));
+        }
         for moved in &self.animation.instances {
             let instance = &self.instances[moved.index];
             let wild =
@@ -98,8 +100,9 @@ impl Scene {
     }
 }
 
+/// NaN is.
 fn beyond((low, high): (DVec3, DVec3)) -> bool {
-    let inside = |corner: DVec3| corner.abs().max_element() <= WORLD_LIMIT;
+    let inside = |corner: DVec3| corner.abs().cmple(DVec3::splat(WORLD_LIMIT)).all();
     !(inside(low) && inside(high))
 }
 
@@ -109,11 +112,6 @@ fn holds(is: bool, else_message: &str) -> Result<(), String> {
 
 fn below(index: usize, count: usize, what: &str) -> Result<(), String> {
     if index < count { Ok(()) } else { Err(format!("it names {what} {index} of {count}")) }
-}
-
-/// Of light: finite and not negative.
-fn is_amount(v: Vec3) -> bool {
-    v.is_finite() && v.min_element() >= 0.0
 }
 
 /// NaN is not.
@@ -130,13 +128,12 @@ impl Key {
 
 impl Material {
     fn check(&self, textures: usize) -> Result<(), String> {
-        let share = |number: f32| (0.0..=1.0).contains(&number);
-        holds(self.base_color.to_array().into_iter().all(share), "its base colour must be in [0, 1]")?;
-        holds(share(self.metallic) && share(self.roughness), "metallic and roughness must be in [0, 1]")?;
-        holds(self.normal_scale.is_finite(), "the scale of its normal map is not finite")?;
-        holds(is_amount(self.emission), "its emission must be finite and at least 0")?;
-        let cutoff = self.alpha_cutoff.unwrap_or_default();
-        holds(cutoff.is_finite() && cutoff >= 0.0, "its alpha cutoff must be finite and at least 0")?;
+        rule::check(rule::REFLECTANCE, "`base_color`", self.base_color)?;
+        rule::check(rule::SHARE, "`metallic`", self.metallic)?;
+        rule::check(rule::SHARE, "`roughness`", self.roughness)?;
+        rule::check(rule::FINITE, "`normal_scale`", self.normal_scale)?;
+        rule::check(rule::LIGHT, "`emission`", self.emission)?;
+        rule::check(rule::SIZE, "`alpha_cutoff`", self.alpha_cutoff.unwrap_or_default())?;
         let used = [
             self.base_color_texture,
             self.metallic_roughness_texture,
@@ -170,22 +167,27 @@ impl Mesh {
 }
 
 impl Light {
+    fn position(&self) -> Option<DVec3> {
+        match self.kind {
+            LightKind::Directional { .. } => None,
+            LightKind::Point { position, .. } | LightKind::Spot { position, .. } => Some(position),
+        }
+    }
+
     fn check(&self) -> Result<(), String> {
-        holds(is_amount(self.intensity), "its intensity must be finite and at least 0")?;
-        let size = match &self.kind {
-            LightKind::Directional { angular_diameter, .. } => *angular_diameter,
-            LightKind::Point { radius, .. } | LightKind::Spot { radius, .. } => *radius,
-        };
-        holds(size.is_finite() && size >= 0.0, "its size must be finite and at least 0")?;
-        if let LightKind::Point { position, .. } | LightKind::Spot { position, .. } = &self.kind {
-            holds(position.is_finite() && !beyond((*position, *position)), "it lies beyond the world")?;
+        rule::check(rule::LIGHT, "`intensity`", self.intensity)?;
+        match self.kind {
+            LightKind::Directional { angular_diameter, .. } => {
+                rule::check(rule::ANGULAR_DIAMETER, "`angular_diameter`", angular_diameter)?;
+            }
+            LightKind::Point { radius, .. } => rule::check(rule::SIZE, "`radius`", radius)?,
+            LightKind::Spot { radius, inner, outer, .. } => {
+                rule::check(rule::SIZE, "`radius`", radius)?;
+                rule::check_spot(inner, outer)?;
+            }
         }
         if let LightKind::Directional { direction, .. } | LightKind::Spot { direction, .. } = &self.kind {
             holds(is_unit(*direction), "its direction is not of length 1")?;
-        }
-        if let LightKind::Spot { inner, outer, .. } = self.kind {
-            let rises = 0.0 <= inner && inner < outer && outer <= FRAC_PI_2;
-            holds(rises, "its angles must be 0 ≤ inner < outer ≤ π/2")?;
         }
         Ok(())
     }
@@ -193,9 +195,8 @@ impl Light {
 
 impl Camera {
     fn check(&self) -> Result<(), String> {
-        holds(self.eye.is_finite() && !beyond((self.eye, self.eye)), "it stands beyond the world")?;
         let upright = is_unit(self.forward) && is_unit(self.up) && self.forward.dot(self.up).abs() < UNIT;
         holds(upright, "forward and up must be of length 1 and at right angles")?;
-        holds(0.0 < self.vertical_fov && self.vertical_fov < PI, "its angle of view must be between 0 and π")
+        rule::check(rule::VERTICAL_FOV, "`vertical_fov`", self.vertical_fov)
     }
 }

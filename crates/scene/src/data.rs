@@ -28,6 +28,9 @@ pub struct Scene {
     pub animation: Animation,
 }
 
+/// What a dielectric reflects at normal incidence (glTF 2.0, appendix B); a metal reflects its base colour.
+pub const DIELECTRIC_F0: f32 = 0.04;
+
 /// A glTF metallic-roughness material. Textures multiply their factors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {

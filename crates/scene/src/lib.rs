@@ -12,10 +12,10 @@ mod data;
 mod emissive;
 mod geometry;
 pub mod gltf;
-mod light;
 mod limit;
 mod load;
 pub mod ron;
+mod rule;
 mod shape;
 mod vertex;
 

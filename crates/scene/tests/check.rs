@@ -51,20 +51,14 @@ fn each_part_is_checked() {
         (|s| s.instances[0].transform.translation.z = 1e16, "`box` reaches beyond 1e15 units"),
         (
             |s| s.materials[0].base_color = Vec4::splat(1.5),
-            "material 0, `m`: its base colour must be in [0, 1]",
+            "material 0, `m`: `base_color` must be from 0 to 1",
         ),
-        (
-            |s| s.materials[0].roughness = f32::NAN,
-            "material 0, `m`: metallic and roughness must be in [0, 1]",
-        ),
-        (
-            |s| s.materials[0].normal_scale = f32::NAN,
-            "material 0, `m`: the scale of its normal map is not finite",
-        ),
-        (|s| s.materials[0].emission.x = -1.0, "material 0, `m`: its emission must be finite and at least 0"),
+        (|s| s.materials[0].roughness = f32::NAN, "material 0, `m`: `roughness` must be from 0 to 1"),
+        (|s| s.materials[0].normal_scale = f32::NAN, "material 0, `m`: `normal_scale` must be finite"),
+        (|s| s.materials[0].emission.x = -1.0, "material 0, `m`: `emission` must be finite and at least 0"),
         (
             |s| s.materials[0].alpha_cutoff = Some(f32::NAN),
-            "material 0, `m`: its alpha cutoff must be finite and at least 0",
+            "material 0, `m`: `alpha_cutoff` must be finite and at least 0",
         ),
         (
             |s| s.materials[0].normal_texture = Some(TextureRef { texture: 0 }),
@@ -84,31 +78,31 @@ fn each_part_is_checked() {
         ),
         (
             |s| s.lights[0].intensity = Vec3::INFINITY,
-            "light 0, `spot`: its intensity must be finite and at least 0",
+            "light 0, `spot`: `intensity` must be finite and at least 0",
         ),
-        (
-            |s| set_spot(s, |position, _, _, _| *position = DVec3::NAN),
-            "light 0, `spot`: it lies beyond the world",
-        ),
+        (|s| set_spot(s, |position, _, _, _| *position = DVec3::NAN), "`spot` lies beyond 1e15 units"),
         (
             |s| set_spot(s, |_, direction, _, _| *direction = Vec3::ZERO),
             "light 0, `spot`: its direction is not of length 1",
         ),
         (
             |s| set_spot(s, |_, _, radius, _| *radius = -1.0),
-            "light 0, `spot`: its size must be finite and at least 0",
+            "light 0, `spot`: `radius` must be finite and at least 0",
         ),
         (
             |s| set_spot(s, |_, _, _, outer| *outer = 2.0),
-            "light 0, `spot`: its angles must be 0 ≤ inner < outer ≤ π/2",
+            "light 0, `spot`: the outer angle must be above 0° and at most 90°",
         ),
-        (|s| s.cameras[0].eye.x = f64::NAN, "camera 0, `front`: it stands beyond the world"),
+        (|s| s.cameras[0].eye.x = f64::NAN, "`front` lies beyond 1e15 units"),
         (
             |s| s.cameras[0].up = Vec3::Z,
             "camera 0, `front`: forward and up must be of length 1 and at right angles",
         ),
-        (|s| s.cameras[0].vertical_fov = 4.0, "camera 0, `front`: its angle of view must be between 0 and π"),
-        (|s| s.sky.x = f32::NAN, "the sky must be finite and at least 0"),
+        (
+            |s| s.cameras[0].vertical_fov = 4.0,
+            "camera 0, `front`: `vertical_fov` must be above 0° and below 180°",
+        ),
+        (|s| s.sky.x = f32::NAN, "`sky` must be finite and at least 0"),
         (
             |s| {
                 let rest = s.instances[0].transform;

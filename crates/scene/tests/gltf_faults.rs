@@ -233,11 +233,15 @@ fn values() {
         })
     };
     assert_snapshot!(light(json!({"type": "point", "intensity": -1})), @"error: `DIR/a.glb`: lights[0]: color × intensity must be finite and at least 0");
-    assert_snapshot!(light(json!({"type": "spot", "spot": {"innerConeAngle": 1, "outerConeAngle": 0.5}})), @"error: `DIR/a.glb`: lights[0]: spot: the inner angle must be from 0° to the outer angle");
+    assert_snapshot!(light(json!({"type": "spot", "spot": {"innerConeAngle": 1, "outerConeAngle": 0.5}})), @r#"
+    error: `DIR/a.glb`: lights[0]: spot: the inner angle must be at least 0° and below the outer angle
+    "#);
     assert_snapshot!(light(json!({"type": "spot", "spot": {"outerConeAngle": 2}})), @"error: `DIR/a.glb`: lights[0]: spot: the outer angle must be above 0° and at most 90°");
     assert_snapshot!(light(json!({"type": "spot"})), @"error: `DIR/a.glb`: extensions.khrLightsPunctual.lights[0].spot: missing");
     assert_snapshot!(fault(|json| {
         json["cameras"] = json!([{"type": "perspective", "perspective": {"yfov": 4, "znear": 1}}]);
         json["nodes"][0]["camera"] = json!(0);
-    }), @"error: `DIR/a.glb`: cameras[0]: yfov must be above 0 and below π");
+    }), @r#"
+    error: `DIR/a.glb`: cameras[0]: yfov must be above 0° and below 180°
+    "#);
 }

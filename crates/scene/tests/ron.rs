@@ -269,19 +269,19 @@ fn all_faults_at_once() {
     17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
        │                                ^
 
-    error: `irradiance` must be at least 0
+    error: `irradiance` must be finite and at least 0
        ┌─ DIR/a.ron:17:55
        │
     17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
        │                                                       ^^
 
-    error: `angular_diameter_deg` must be at least 0 and below 180
+    error: `angular_diameter_deg` must be at least 0° and below 180°
        ┌─ DIR/a.ron:17:81
        │
     17 │         Directional(direction: (0, 0, 0), irradiance: -1, angular_diameter_deg: 180),
        │                                                                                 ^^^
 
-    error: the inner angle must be from 0° to the outer angle
+    error: the inner angle must be at least 0° and below the outer angle
        ┌─ DIR/a.ron:18:9
        │
     18 │         Spot(position: (0, 0, 0), direction: (0, -1, 0), intensity: 1, inner_deg: 50, outer_deg: 40),
@@ -305,7 +305,7 @@ fn all_faults_at_once() {
     22 │     cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
        │               ^
 
-    error: `fov_deg` must be above 0 and below 180
+    error: `fov_deg` must be above 0° and below 180°
        ┌─ DIR/a.ron:22:110
        │
     22 │     cameras: [(eye: (0, 0, 0), target: (0, 0, 0), fov_deg: 45), (eye: (0, 0, 0), target: (0, 0, 1), fov_deg: 200)],
@@ -315,6 +315,9 @@ fn all_faults_at_once() {
 
 #[test]
 fn single_faults() {
+    assert_snapshot!(fault("(lights: [Point(name: \"far\", position: (1e16, 0, 0), intensity: 1)])"), @r#"
+    error: `DIR/a.ron`: `far` lies beyond 1e15 units
+    "#);
     assert_snapshot!(fault("(objects: [(shape: Box() material: \"m\")])"), @r#"
     error: expected comma
       ┌─ DIR/a.ron:1:26

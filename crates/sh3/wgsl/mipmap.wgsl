@@ -7,9 +7,9 @@ import package::common::voxels::{is_occupied, voxel_slot};
 import package::encoding::{SignedVolumeTarget, encode_texel};
 import package::format::basis::{BANDS, Y0, Y1, Y20, Y22, area_coefficient};
 
-@group(2) @binding(1) var base_source: texture_3d<f32>;
-@group(2) @binding(2) var nine_source: texture_3d<f32>;
-@group(2) @binding(9) var nine_target: SignedVolumeTarget;
+var base_source: texture_3d<f32>;
+var nine_source: texture_3d<f32>;
+var nine_target: SignedVolumeTarget;
 
 fn child_coefficient(k: u32, cell: vec3u, level: u32) -> vec4f {
     if (level > 1) {

@@ -9,8 +9,8 @@ import package::format::basis::{BANDS, harmonic};
 // that it leaves.
 const VOXEL_ONE_SIDED = true;
 
-@group(2) @binding(1) var base: texture_3d<f32>;
-@group(2) @binding(2) var nine: texture_3d<f32>;
+var base: texture_3d<f32>;
+var nine: texture_3d<f32>;
 
 // `level` counts from the coefficients' first, which is level 1 of the grid.
 fn sample_nine(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {

@@ -3,13 +3,12 @@
 use naga::TypeInner;
 use naga::common::wgsl::ToWgsl;
 use naga::valid::FunctionInfo;
-use naga::{
-    AddressSpace, GlobalVariable, Handle, ImageClass, ImageDimension, Module, ScalarKind, StorageAccess,
-};
+use naga::{AddressSpace, GlobalVariable, Handle, ImageClass, ImageDimension, ScalarKind, StorageAccess};
 
+use crate::check::Shader;
 use crate::layout::{size_of, uniform_size};
 
-/// A variable with `@group` and `@binding`.
+/// A resource variable and the number that the linker gave it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Binding {
     /// `@group`
@@ -18,6 +17,8 @@ pub struct Binding {
     pub binding: u32,
     /// The variable's name.
     pub name: String,
+    /// The path of the module that declares it.
+    pub module: String,
     /// What is bound there.
     pub kind: BindingKind,
 }
@@ -102,10 +103,11 @@ pub enum Access {
 
 /// The binding that a variable is, if it is one that WebGPU has without an optional feature.
 pub(crate) fn binding(
-    module: &Module,
+    shader: &Shader,
     info: &FunctionInfo,
     handle: Handle<GlobalVariable>,
 ) -> Option<Binding> {
+    let module = &shader.module;
     let variable = &module.global_variables[handle];
     let at = variable.binding?;
     let kind = match variable.space {
@@ -124,8 +126,9 @@ pub(crate) fn binding(
         },
         _ => return None,
     };
-    let name = variable.name.clone().unwrap_or_default();
-    Some(Binding { group: at.group, binding: at.binding, name, kind })
+    let name = variable.name.clone()?;
+    let module = shader.modules.iter().find(|module| module.declaration(&name).is_some())?;
+    Some(Binding { group: at.group, binding: at.binding, name, module: module.path.clone(), kind })
 }
 
 fn texture(dim: TextureDim, class: ImageClass, is_sampled: bool) -> Option<BindingKind> {

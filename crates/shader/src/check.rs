@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use naga::front::wgsl;
-use naga::valid::{Capabilities, EntryPointError, ModuleInfo, ValidationError, ValidationFlags, Validator};
-use naga::{GlobalVariable, Handle, Span, WithSpan};
+use naga::valid::{Capabilities, ModuleInfo, ValidationError, ValidationFlags, Validator};
+use naga::{Span, WithSpan};
 use voxlume_fault::{Fault, Faults, Place, nearest};
 
 use crate::explain::{reason, statement, subject};
@@ -66,12 +66,6 @@ impl Linked {
     }
 
     fn invalid(&self, module: &naga::Module, error: &WithSpan<ValidationError>) -> Fault {
-        if let ValidationError::EntryPoint {
-            name, source: EntryPointError::BindingCollision(second), ..
-        } = error.as_inner()
-        {
-            return self.clash(module, name, *second);
-        }
         let (kind, name) = subject(error.as_inner());
         let name = name.filter(|name| !name.is_empty());
         let fault = Fault::new(match name {
@@ -89,35 +83,6 @@ impl Linked {
             return self.placed(fault, *span, &reason);
         }
         self.at_declaration(fault, name.unwrap_or_default(), &reason)
-    }
-
-    /// Two variables with one binding in one entry point.
-    fn clash(&self, module: &naga::Module, entry: &str, second: Handle<GlobalVariable>) -> Fault {
-        // What the entry point uses is known once this one check is left out.
-        let flags = ValidationFlags::all() - ValidationFlags::BINDINGS;
-        let info = Validator::new(flags, WEBGPU).validate(module).ok();
-        let index = module.entry_points.iter().position(|point| point.name == entry);
-        let used = info.as_ref().zip(index).map(|(info, index)| info.get_entry_point(index));
-        let is_other = |handle: Handle<GlobalVariable>| {
-            handle != second && used.is_some_and(|used| !used[handle].is_empty())
-        };
-
-        let variables = &module.global_variables;
-        let binding = variables[second].binding;
-        let first =
-            variables.iter().find(|(handle, variable)| variable.binding == binding && is_other(*handle));
-        let name = variables[second].name.as_deref().unwrap_or_default();
-        let at = binding.map_or(String::new(), |b| format!("@group({}) @binding({})", b.group, b.binding));
-        let label = format!("entry point `{entry}` uses another variable there");
-        let fault =
-            self.placed(Fault::new(format!("`{name}` clashes at {at}")), variables.get_span(second), &label);
-        match first {
-            Some((first, variable)) => {
-                let name = variable.name.as_deref().unwrap_or_default();
-                self.noted(fault, variables.get_span(first), &format!("the other, `{name}`"))
-            }
-            None => fault,
-        }
     }
 
     /// Where the name at a place, which is not in scope, could come from.

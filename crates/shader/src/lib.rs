@@ -1,7 +1,8 @@
 //! WGSL modules: linked, checked with naga, reflected.
 //!
 //! A module is a WGSL file that may begin with imports, `import package::common::cone::{cone_trace, Cone};`,
-//! a strict subset of WESL's. [`link`] makes one text of a module and all that it imports, names as written;
+//! a strict subset of WESL's. Its resource variables have names and no numbers: `var<uniform> frame: Frame;`. [`link`]
+//! makes one text of a module and all that it imports, names as written, and gives each resource its `@group` and `@binding`;
 //! [`Linked::check`] has naga validate it for a device without optional WebGPU features; the [`Shader`] that
 //! results tells what it binds, its overrides, the layout of its structs and the types of its functions. Every
 //! fault shows the author's own file, line and column.
@@ -13,7 +14,7 @@
 //! let mut library = Library::empty();
 //! library.insert("common/area", Source::new("area.wgsl", "fn area(r: f32) -> f32 { return 3.14 * r * r; }"));
 //! let text = "import package::common::area::area;
-//! @group(0) @binding(0) var<storage, read_write> radius: array<f32>;
+//! var<storage, read_write> radius: array<f32>;
 //! @compute @workgroup_size(64)
 //! fn main(@builtin(global_invocation_id) id: vec3u) {
 //!     radius[id.x] = area(radius[id.x]);
@@ -39,6 +40,7 @@ mod linked;
 mod module;
 mod mount;
 mod reflect;
+mod resource;
 mod scope;
 mod subset;
 mod token;

@@ -13,6 +13,8 @@ const EXPRESSION: usize = 2000;
 const ELSES: usize = 250;
 /// Declarations linked, of which each may use the next.
 pub(crate) const DECLARATIONS: usize = 2000;
+/// Resources linked, all in one bind group: WebGPU's `maxBindingsPerBindGroup`.
+pub(crate) const RESOURCES: usize = 1000;
 
 /// The first place where a file is over a limit.
 pub(crate) fn exceeded(cursor: &Cursor, source: &Arc<Source>) -> Option<Fault> {

@@ -8,20 +8,20 @@ use voxlume_fault::{Fault, Faults, nearest, one_of, suggest};
 
 use crate::import::Import;
 use crate::library::Library;
-use crate::limits::DECLARATIONS;
+use crate::limits::{DECLARATIONS, RESOURCES};
 use crate::linked::{Linked, assemble};
 use crate::module::{Location, Module};
 use crate::mount::Mounts;
 
 /// Links the module at `entry` with all that it imports, each module once, what is imported before what
-/// imports it. A mount `(name, target)` makes import paths that start with `name` mean `target`:
+/// imports it, and numbers their resources. A mount `(name, target)` makes import paths that start with `name` mean `target`:
 /// `("format", "format/isotropic")` lets `package::format::sample` be the module
 /// `format/isotropic/sample`, and `("effect", "effect/diffuse")` lets `package::effect` be the one module
 /// `effect/diffuse`. Names stay as written.
 ///
 /// # Errors
 /// All at once: an unknown module, an item that its module lacks, a malformed import, a name that two
-/// modules declare, a use of another module's name without an import, and texts so long that
+/// modules declare, a resource that a module numbers itself, a use of another module's name without an import, and texts so long that
 /// a compiler's recursion might not fit its stack.
 pub fn link(library: &Library, entry: &str, mounts: &[(&str, &str)]) -> Result<Linked, Faults> {
     let mounts = Mounts::new(mounts);
@@ -43,8 +43,13 @@ pub fn link(library: &Library, entry: &str, mounts: &[(&str, &str)]) -> Result<L
     for module in &order {
         unimported(module, &declared, &mounts, &mut faults);
     }
-    if declared.len() > DECLARATIONS {
-        faults.push(Fault::new(format!("`{entry}` links more than {DECLARATIONS} declarations")));
+    let resources = order.iter().map(|module| module.resources.len()).sum();
+    for (count, most, what) in
+        [(declared.len(), DECLARATIONS, "declarations"), (resources, RESOURCES, "resources")]
+    {
+        if count > most {
+            faults.push(Fault::new(format!("`{entry}` links more than {most} {what}")));
+        }
     }
     faults.into_result(())?;
     Ok(assemble(library, mounts, order))

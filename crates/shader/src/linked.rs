@@ -8,6 +8,7 @@ use voxlume_fault::Source;
 use crate::library::Library;
 use crate::module::Module;
 use crate::mount::Mounts;
+use crate::resource::attributes;
 
 /// One WGSL text out of several modules, not yet checked.
 #[derive(Clone, Debug)]
@@ -28,14 +29,26 @@ pub(crate) struct Segment {
     span: Range<usize>,
 }
 
+impl Segment {
+    /// Where a place of the linked text is in the author's file.
+    fn place(&self, linked: usize) -> usize {
+        (self.span.start + linked.saturating_sub(self.start)).min(self.span.end)
+    }
+}
+
 impl Linked {
     /// The stretch of an author's file that a stretch of the linked text came from, with the module's
-    /// index. What is in between two modules counts to the first.
+    /// index. What the linker wrote counts to the end of what is before it; a stretch ends with its module.
     pub(crate) fn trace(&self, linked: Range<usize>) -> Option<(usize, Range<usize>)> {
-        let after = self.segments.partition_point(|segment| segment.start <= linked.start);
-        let segment = self.segments.get(after.saturating_sub(1))?;
-        let place = |at: usize| (segment.span.start + at.saturating_sub(segment.start)).min(segment.span.end);
-        Some((segment.module, place(linked.start)..place(linked.end)))
+        let first = self.segment_at(linked.start)?;
+        let last = self.segment_at(linked.end).filter(|last| last.module == first.module);
+        let end = last.map_or(first.span.end, |last| last.place(linked.end));
+        Some((first.module, first.place(linked.start)..end))
+    }
+
+    fn segment_at(&self, linked: usize) -> Option<&Segment> {
+        let after = self.segments.partition_point(|segment| segment.start <= linked);
+        self.segments.get(after.saturating_sub(1))
     }
 
     pub(crate) fn source(&self, module: usize) -> &Arc<Source> {
@@ -43,7 +56,7 @@ impl Linked {
     }
 }
 
-/// Puts the modules one after the other, directives first, as WGSL wants them.
+/// Puts the modules one after the other, directives first, as WGSL wants them, and numbers their resources.
 pub(crate) fn assemble(library: &Library, mounts: Mounts, modules: Vec<Arc<Module>>) -> Linked {
     let mut wgsl = String::new();
     let mut segments = Vec::new();
@@ -54,29 +67,33 @@ pub(crate) fn assemble(library: &Library, mounts: Mounts, modules: Vec<Arc<Modul
             wgsl.push('\n');
         }
     }
+    let mut bindings = 0..;
     for (index, module) in modules.iter().enumerate() {
         // A line break in a file's name must not end the comment.
         wgsl.push_str(&format!("// {}\n", module.source.name.escape_debug()));
-        segments.push(Segment { start: wgsl.len(), module: index, span: 0..module.source.text.len() });
-        let mut at = 0;
-        for span in blanked(module) {
-            wgsl.push_str(&module.source.text[at..span.start]);
-            // Blanks of the same length keep lines and columns.
-            wgsl.extend(
-                module.source.text[span.clone()].bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }),
-            );
-            at = span.end;
+        let text = blanked(module);
+        let mut start = 0;
+        for (end, binding) in module.resources.iter().copied().zip(&mut bindings) {
+            segments.push(Segment { start: wgsl.len(), module: index, span: start..end });
+            wgsl.push_str(&text[start..end]);
+            wgsl.push_str(&attributes(binding));
+            start = end;
         }
-        wgsl.push_str(&module.source.text[at..]);
+        segments.push(Segment { start: wgsl.len(), module: index, span: start..text.len() });
+        wgsl.push_str(&text[start..]);
         wgsl.push('\n');
     }
     Linked { wgsl, segments, modules, library: library.clone(), mounts }
 }
 
-/// The imports and directives of a module, in order.
-fn blanked(module: &Module) -> Vec<Range<usize>> {
+/// A module's text with blanks of the same length for its imports and directives, which keep lines and columns.
+fn blanked(module: &Module) -> String {
     let imports = module.imports.iter().map(|import| import.span.clone());
-    let mut spans: Vec<_> = imports.chain(module.directives.iter().cloned()).collect();
-    spans.sort_by_key(|span| span.start);
-    spans
+    let mut text = module.source.text.to_string();
+    for span in imports.chain(module.directives.iter().cloned()) {
+        let blanks: String =
+            text[span.clone()].bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }).collect();
+        text.replace_range(span, &blanks);
+    }
+    text
 }

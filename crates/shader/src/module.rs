@@ -23,6 +23,8 @@ pub(crate) struct Module {
     pub declarations: Vec<Declaration>,
     /// The names used that are no locals, in the order of the text.
     pub uses: Vec<Range<usize>>,
+    /// Where the `var` of each resource is, in the order of the text.
+    pub resources: Vec<usize>,
     /// What is wrong already.
     pub faults: Vec<Fault>,
 }
@@ -57,8 +59,8 @@ impl Module {
         }
         let mut walker = Walker::new(cursor, &source, faults);
         walker.walk();
-        let Walker { declarations, uses, faults, .. } = walker;
-        Module { path: path.to_owned(), imports, directives, declarations, uses, faults, source }
+        let Walker { declarations, uses, resources, faults, .. } = walker;
+        Module { path: path.to_owned(), imports, directives, declarations, uses, resources, faults, source }
     }
 
     pub fn declaration(&self, name: &str) -> Option<&Declaration> {

@@ -72,8 +72,7 @@ impl Shader {
         };
         let info = self.info.get_entry_point(index);
         let used = self.module.global_variables.iter().filter(|(handle, _)| !info[*handle].is_empty());
-        let mut bindings: Vec<_> =
-            used.filter_map(|(handle, _)| binding(&self.module, info, handle)).collect();
+        let mut bindings: Vec<_> = used.filter_map(|(handle, _)| binding(self, info, handle)).collect();
         bindings.sort_by_key(|binding| (binding.group, binding.binding));
         bindings
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use voxlume_fault::{Fault, Source};
 
 use crate::module::Declaration;
+use crate::resource::is_number;
 use crate::token::{Cursor, Kind, Token};
 
 /// Walks the declarations of a module. A full parse is naga's job, on the linked text; this one knows
@@ -16,6 +17,8 @@ pub(crate) struct Walker<'a> {
     pub declarations: Vec<Declaration>,
     /// Names that no scope of the module declares, its own top level aside.
     pub uses: Vec<Range<usize>>,
+    /// Where the `var` of each resource is.
+    pub resources: Vec<usize>,
     pub faults: Vec<Fault>,
     scopes: Vec<Scope<'a>>,
     /// Parameters before their body's `{`, a local before its statement's `;`.
@@ -34,6 +37,7 @@ impl<'a> Walker<'a> {
             source,
             declarations: Vec::new(),
             uses: Vec::new(),
+            resources: Vec::new(),
             faults,
             scopes: Vec::new(),
             pending: Vec::new(),
@@ -93,13 +97,7 @@ impl<'a> Walker<'a> {
                 self.name();
                 self.members();
             }
-            "var" => {
-                // The address space and access mode are words of their own.
-                if self.cursor.symbol('<').is_some() {
-                    self.cursor.skip_past('>');
-                }
-                self.name();
-            }
+            "var" => self.variable(token),
             "let" | "const" | "override" | "alias" => self.name(),
             "import" => {
                 let fault = Fault::new("misplaced import").at(
@@ -112,6 +110,10 @@ impl<'a> Walker<'a> {
             }
             _ => self.used(token),
         }
+    }
+
+    pub(crate) fn at_module_scope(&self) -> bool {
+        self.scopes.is_empty()
     }
 
     fn used(&mut self, token: Token) {
@@ -129,9 +131,13 @@ impl<'a> Walker<'a> {
             }
             Kind::Symbol('@') => {
                 let attribute = self.cursor.word().map(|word| self.cursor.text_of(word));
-                // Their arguments are words of their own too; those of the others are expressions.
-                if matches!(attribute, Some("builtin" | "interpolate" | "diagnostic")) {
-                    self.cursor.skip_past(')');
+                match attribute {
+                    // Their arguments are words of their own too; those of the others are expressions.
+                    Some("builtin" | "interpolate" | "diagnostic") => {
+                        self.cursor.skip_past(')');
+                    }
+                    Some(attribute) if is_number(attribute) => self.numbered(token),
+                    _ => {}
                 }
             }
             _ => {}
@@ -139,10 +145,10 @@ impl<'a> Walker<'a> {
     }
 
     /// The name that a declaration gives.
-    fn name(&mut self) {
+    pub(crate) fn name(&mut self) {
         let Some(token) = self.cursor.word() else { return };
         let name = self.cursor.text_of(token);
-        if self.scopes.is_empty() {
+        if self.at_module_scope() {
             let declaration = Declaration { name: name.to_owned(), span: token.span(), members: Vec::new() };
             self.declarations.push(declaration);
         } else {

@@ -21,8 +21,13 @@ fn every_builtin_module_is_valid() {
 
     let visitors: Vec<&str> = visitors.iter().map(String::as_str).collect();
 
-    let alternatives =
-        [("format", &formats[..]), ("encoding", &encodings), ("effect", &effects), ("visitor", &visitors)];
+    let alternatives = [
+        ("format", &formats[..]),
+        ("encoding", &encodings),
+        ("effect", &effects),
+        ("visitor", &visitors),
+        ("texel", &["texel/rgba16float"]),
+    ];
     let faults = check_all(&library, &alternatives);
     assert!(faults.is_empty(), "\n{faults}");
 }

@@ -1,16 +1,11 @@
 //! What linking gives where nothing is wrong.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
+use common::library;
 use voxlume_fault::Source;
 use voxlume_shader::{Library, link};
-
-fn library(modules: &[(&str, &str)]) -> Library {
-    let mut library = Library::empty();
-    for (path, text) in modules {
-        library.insert(path, Source::new(format!("{path}.wgsl"), *text));
-    }
-    library
-}
 
 #[test]
 fn modules_once_dependencies_first() {
@@ -95,6 +90,36 @@ fn mounts() {
     assert!(link(&library, "pass/a", &[("effect", "effect/glow")]).is_err());
     // A mount is whole names: `pass/form` is no part of `pass/formatted`.
     link(&library, "pass/b", &[("pass/form", "nowhere")]).unwrap();
+}
+
+/// Dense, in the order of the linked text, the same for every entry point; memory of invocations has none.
+#[test]
+fn resources_are_numbered() {
+    let library = library(&[
+        (
+            "common/scene",
+            "alias Image = texture_storage_2d<rgba8unorm, write>;\nvar<uniform> frame: vec4f; var image: Image;\nvar<private> sum: f32;",
+        ),
+        (
+            "pass/a",
+            "import package::common::scene::{frame, image, sum};
+var<workgroup> shared_sum: f32;
+var <storage, /* in place */ read_write> data: array<f32>;
+fn local() -> f32 { var local = frame.x; return local; }
+@compute @workgroup_size(1) fn first() { sum = frame.x + data[0]; shared_sum = sum; }
+@compute @workgroup_size(1) fn second() { textureStore(image, vec2u(), vec4f(local())); data[0] = 1.0; }
+",
+        ),
+    ]);
+    let shader = link(&library, "pass/a", &[]).unwrap().check().unwrap();
+    let bound = |entry| {
+        let bindings = shader.bindings(entry).into_iter();
+        bindings.map(|it| (it.group, it.binding, it.name, it.module)).collect::<Vec<_>>()
+    };
+    let at = |binding, name: &str, module: &str| (0, binding, name.to_owned(), module.to_owned());
+    let (frame, data) = (at(0, "frame", "common/scene"), at(2, "data", "pass/a"));
+    assert_eq!(bound("first"), [frame.clone(), data.clone()]);
+    assert_eq!(bound("second"), [frame, at(1, "image", "common/scene"), data]);
 }
 
 #[test]

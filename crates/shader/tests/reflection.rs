@@ -25,21 +25,21 @@ struct Params {
     last: f32,
 }
 
-@group(1) @binding(2) var<uniform> params: Params;
-@group(1) @binding(0) var volume: texture_3d<f32>;
-@group(0) @binding(7) var linear: sampler;
-@group(0) @binding(1) var compare: sampler_comparison;
-@group(0) @binding(2) var shadow: texture_depth_2d;
-@group(0) @binding(3) var colors: texture_2d_array<f32>;
-@group(0) @binding(4) var ids: texture_2d<u32>;
-@group(0) @binding(5) var image: texture_storage_3d<rgba16float, write>;
-@group(0) @binding(6) var counts: texture_storage_2d<r32uint, read_write>;
-@group(2) @binding(0) var<storage> runs: array<vec2u>;
-@group(2) @binding(1) var<storage, read_write> total: atomic<u32>;
-@group(2) @binding(1) var<uniform> unused: vec3f;
-@group(2) @binding(2) var samples: texture_multisampled_2d<f32>;
-@group(2) @binding(3) var sky: texture_cube<f32>;
-@group(2) @binding(4) var source: texture_storage_2d<rgba8unorm, read>;
+var<uniform> params: Params;
+var volume: texture_3d<f32>;
+var linear: sampler;
+var compare: sampler_comparison;
+var shadow: texture_depth_2d;
+var colors: texture_2d_array<f32>;
+var ids: texture_2d<u32>;
+var image: texture_storage_3d<rgba16float, write>;
+var counts: texture_storage_2d<r32uint, read_write>;
+var<storage> runs: array<vec2u>;
+var<storage, read_write> total: atomic<u32>;
+var<uniform> unused: vec3f;
+var samples: texture_multisampled_2d<f32>;
+var sky: texture_cube<f32>;
+var source: texture_storage_2d<rgba8unorm, read>;
 var<workgroup> shared_sum: u32;
 
 fn through(t: texture_3d<f32>, s: sampler, at: vec3f) -> vec4f { return textureSampleLevel(t, s, at, 0.0); }
@@ -68,8 +68,8 @@ fn shader() -> Shader {
     link(&library, "all", &[]).unwrap().check().unwrap()
 }
 
-fn binding(group: u32, binding: u32, name: &str, kind: BindingKind) -> Binding {
-    Binding { group, binding, name: name.into(), kind }
+fn binding(binding: u32, name: &str, kind: BindingKind) -> Binding {
+    Binding { group: 0, binding, name: name.into(), module: "all".into(), kind }
 }
 
 fn texture(dim: TextureDim, sample: SampleKind, filterable: bool) -> BindingKind {
@@ -85,20 +85,20 @@ fn bindings_that_an_entry_point_uses() {
     assert_eq!(
         shader().bindings("main"),
         [
-            binding(0, 1, "compare", BindingKind::Sampler { comparison: true }),
-            binding(0, 2, "shadow", texture(TextureDim::D2, SampleKind::Depth, false)),
-            binding(0, 3, "colors", texture(TextureDim::D2Array, SampleKind::Float, false)),
-            binding(0, 4, "ids", texture(TextureDim::D2, SampleKind::Uint, false)),
-            binding(0, 5, "image", storage_texture(TextureDim::D3, "rgba16float", Access::WriteOnly)),
-            binding(0, 6, "counts", storage_texture(TextureDim::D2, "r32uint", Access::ReadWrite)),
-            binding(0, 7, "linear", BindingKind::Sampler { comparison: false }),
-            binding(1, 0, "volume", texture(TextureDim::D3, SampleKind::Float, true)),
-            binding(1, 2, "params", BindingKind::Uniform { size: 144 }),
-            binding(2, 0, "runs", BindingKind::Storage { read_only: true, min_size: 8 }),
-            binding(2, 1, "total", BindingKind::Storage { read_only: false, min_size: 4 }),
+            binding(0, "params", BindingKind::Uniform { size: 144 }),
+            binding(1, "volume", texture(TextureDim::D3, SampleKind::Float, true)),
+            binding(2, "linear", BindingKind::Sampler { comparison: false }),
+            binding(3, "compare", BindingKind::Sampler { comparison: true }),
+            binding(4, "shadow", texture(TextureDim::D2, SampleKind::Depth, false)),
+            binding(5, "colors", texture(TextureDim::D2Array, SampleKind::Float, false)),
+            binding(6, "ids", texture(TextureDim::D2, SampleKind::Uint, false)),
+            binding(7, "image", storage_texture(TextureDim::D3, "rgba16float", Access::WriteOnly)),
+            binding(8, "counts", storage_texture(TextureDim::D2, "r32uint", Access::ReadWrite)),
+            binding(9, "runs", BindingKind::Storage { read_only: true, min_size: 8 }),
+            binding(10, "total", BindingKind::Storage { read_only: false, min_size: 4 }),
         ]
     );
-    assert_eq!(shader().bindings("corner"), [binding(2, 1, "unused", BindingKind::Uniform { size: 16 })]);
+    assert_eq!(shader().bindings("corner"), [binding(11, "unused", BindingKind::Uniform { size: 16 })]);
     let many = BindingKind::Texture {
         dim: TextureDim::D2,
         sample: SampleKind::Float,
@@ -108,10 +108,10 @@ fn bindings_that_an_entry_point_uses() {
     assert_eq!(
         shader().bindings("shade"),
         [
-            binding(0, 7, "linear", BindingKind::Sampler { comparison: false }),
-            binding(2, 2, "samples", many),
-            binding(2, 3, "sky", texture(TextureDim::Cube, SampleKind::Float, true)),
-            binding(2, 4, "source", storage_texture(TextureDim::D2, "rgba8unorm", Access::ReadOnly)),
+            binding(2, "linear", BindingKind::Sampler { comparison: false }),
+            binding(12, "samples", many),
+            binding(13, "sky", texture(TextureDim::Cube, SampleKind::Float, true)),
+            binding(14, "source", storage_texture(TextureDim::D2, "rgba8unorm", Access::ReadOnly)),
         ]
     );
     assert_eq!(shader().bindings("nowhere"), []);

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Scene and pipeline are data; the plan is what this pipeline does for this scene.
     let scene = Scene::load(Path::new(&scene_path))?;
-    let pipeline = Pipeline::load(Path::new("pipelines/gi.ron"))?;
+    let pipeline = Pipeline::builtin("gi")?;
     let request = Request { format, ..Request::image(512, 512) };
     let plan = plan(&pipeline, &SceneFacts::of(&scene)?, &Formats::builtin(), &Library::builtin(), &request)?;
 

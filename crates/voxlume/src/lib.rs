@@ -1,11 +1,13 @@
 //! Voxel cone tracing on `wgpu` with pluggable voxel storage formats.
 //!
+//! Load a scene and a pipeline, plan what the pipeline does for this scene, render the plan on a device:
+//!
 //! ```no_run
 //! use voxlume::{Formats, Gpu, Library, Passes, Pipeline, Renderer, Request, Scene, SceneFacts, plan};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/cornell.ron".as_ref())?;
-//! let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
+//! let pipeline = Pipeline::builtin("gi")?;
 //! let facts = SceneFacts::of(&scene)?;
 //! let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(512, 512))?;
 //! let gpu = Gpu::open(None)?;
@@ -15,6 +17,118 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! # Scenes
+//! | name | what it is |
+//! |---|---|
+//! | [`Scene`] | What is lit, what lights it and where it is seen from, loaded from glTF or RON or made in memory. |
+//! | [`Camera`] | A pinhole and the way it looks. |
+//! | [`scene`] | The other parts of a scene: meshes, materials, lights, paths; what RON and glTF files may hold. |
+//!
+//! # Pipelines and plans
+//! | name | what it is |
+//! |---|---|
+//! | [`Pipeline`] | A RON file of passes, read but not yet checked against shaders, formats and a scene. |
+//! | [`PIPELINES`] | The pipelines that come with Voxlume. |
+//! | [`PassEntry`] | A pass as RON describes it. |
+//! | [`Shows`] | What the values of a pass's image are, which says how a picture shows them. |
+//! | [`Reference`] | The path tracer's quantity that a pass's image is held against. |
+//! | [`Value`] | The value of a pass's parameter. |
+//! | [`Extent`] | What space the grid takes: the scene's, or a given box. |
+//! | [`DEFAULT_METHOD`] | How `voxelize` finds voxels unless told otherwise. |
+//! | [`SceneFacts`] | What a scene needs, so that a plan models only that. |
+//! | [`Request`] | What is asked for beside the pipeline: size, format, output, parameters. |
+//! | [`plan`] | Checks a pipeline against a scene and gives the plan. |
+//! | [`explain`] | A plan in words: passes, resources with their bytes, what was left out and why. |
+//! | [`check_variant`] | Whether the words of a format and of an encoding are known. |
+//! | [`Plan`] | All that a device does for a pipeline on a scene, as data. |
+//! | [`Pass`] | One pass of a plan: it runs whole or not at all. |
+//! | [`Sources`] | What a pass depends on beside the resources that other passes make. |
+//! | [`Update`] | When a pass runs. |
+//! | [`ParamSlot`] | A parameter's place in its pass's uniform buffer. |
+//! | [`ParamBytes`] | New bytes for a parameter. |
+//! | [`LeftOut`] | A pass or resource that the scene doesn't need, and why. |
+//! | [`Grid`] | The grid of voxels that a plan uses. |
+//! | [`Step`] | One dispatch, draw or clear of a plan. |
+//! | [`Touch`] | A resource in a step, and how the step uses it. |
+//! | [`Groups`] | The workgroups of a dispatch. |
+//! | [`Vertices`] | The vertices of a step that rasterizes. |
+//! | [`Program`] | A shader with what its variables are bound to. |
+//! | [`Bind`] | One variable of a program. |
+//! | [`Target`] | What a variable is bound to. |
+//! | [`Resource`] | A buffer or texture of a plan. |
+//! | [`ResourceKind`] | Its kind and size. |
+//! | [`ImageExtent`] | The size of an image. |
+//! | [`ImageTexel`] | The texel of an image. |
+//! | [`Life`] | How long a resource's value is kept. |
+//!
+//! # Kinds of passes
+//! | name | what it is |
+//! |---|---|
+//! | [`Kinds`] | The kinds of passes that a pipeline can name; others are added to the built-in ones. |
+//! | [`plan_with`] | [`plan`], with such kinds. |
+//! | [`PassKind`] | A kind of pass: what it reads and makes, when it is left out, how it becomes steps. |
+//! | [`Port`] | Something that a kind reads, makes or changes. |
+//! | [`Sort`] | What sort of thing a port is. |
+//! | [`ParamWords`] | A parameter that decides what is planned. |
+//! | [`Values`] | The values that such a parameter can have. |
+//! | [`Idle`] | Why an entry has nothing to do. |
+//! | [`Unread`] | A port that an entry doesn't look at, and why. |
+//! | [`Expansion`] | One entry of a pipeline on its way to steps. |
+//! | [`Bundle`] | What a name of the graph stands for in shaders: variables, constants, modules. |
+//! | [`Run`] | A step on its way. |
+//! | [`Over`] | What a compute step runs over. |
+//! | [`screen_image`] | An image of the screen's size. |
+//!
+//! # Devices and frames
+//! | name | what it is |
+//! |---|---|
+//! | [`Gpu`] | An open device: one of its own, or another program's. |
+//! | [`Renderer`] | A plan carried out on a device for one scene. |
+//! | [`Passes`] | Which passes a frame runs. |
+//! | [`Picture`] | An image read back: linear values, row by row. |
+//! | [`Texels`] | A level of a volume read back. |
+//! | [`PassTime`] | How long a pass took. |
+//! | [`Clock`] | Which clock took that time. |
+//! | [`OutOfRange`] | How many values an encoding could not hold, and the worst. |
+//! | [`Error`] | What a device refuses. |
+//! | [`wgpu`] | The version of `wgpu` that all this is built with. |
+//!
+//! # Storage formats
+//! | name | what it is |
+//! |---|---|
+//! | [`Formats`] | The formats to choose from; others are added to the built-in ones. |
+//! | [`StorageFormat`] | A format: its volumes, its WGSL modules, its options. |
+//! | [`Isotropic`], [`SixFace`], [`Sh2`] | The built-in formats. |
+//! | [`Encoding`] | How the numbers of a format are stored. |
+//! | [`Volume`] | A 3D texture of a format. |
+//! | [`Levels`] | Which of the grid's levels a volume holds. |
+//! | [`Numbers`] | What the numbers of a volume's texels are. |
+//! | [`FormatOption`] | A choice that a format leaves open. |
+//! | [`Choices`] | The words chosen for a format's options. |
+//! | [`Property`] | A property that the conformance suite measures. |
+//! | [`Miss`] | A property that a format can't hold, and by how much. |
+//! | [`Twin`] | A format's functions on the CPU in `f64`, to hold its WGSL against. |
+//! | [`twin`] | What twins are built from. |
+//! | [`probe`] | A plan that fills a volume and samples it, for the conformance suite. |
+//! | [`ProbeSize`] | How much a probe holds. |
+//!
+//! # Shaders
+//! | name | what it is |
+//! |---|---|
+//! | [`Library`] | WGSL modules by path; others are added to the built-in ones. |
+//! | [`link`] | Makes one text of a module and all that it imports. |
+//! | [`Linked`] | That text, to be checked. |
+//! | [`check_all`] | Checks every module of a library in every way that it can be linked. |
+//!
+//! # Faults
+//! | name | what it is |
+//! |---|---|
+//! | [`Fault`] | What is wrong with a file or request, where, and what would be valid. |
+//! | [`Faults`] | All faults of an input at once. |
+//! | [`Place`] | Where a fault is. |
+//! | [`Source`] | A text and its name. |
+//! | [`nearest`], [`one_of`] | Choices as messages give them. |
 
 pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Texels};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
@@ -23,11 +137,29 @@ pub use voxlume_format::{
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Program,
-    Reference, Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Shows, Step, Target, Value,
-    check_variant, explain, plan, probe,
+    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds,
+    LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline,
+    Plan, Port, ProbeSize, Program, Reference, Request, Resource, ResourceKind, Run, SceneFacts, Shows, Sort,
+    Sources, Step, Target, Touch, Unread, Update, Value, Values, Vertices, check_variant, explain, plan,
+    plan_with, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};
 pub use voxlume_shader::{Library, Linked, check_all, link};
 pub use wgpu;
+
+#[cfg(test)]
+mod tests {
+    /// Every name that is exported has its sentence above; rustdoc sees to it that every name above is exported.
+    #[test]
+    fn every_export_has_a_sentence() {
+        let (docs, exports) = include_str!("lib.rs").split_once("\npub use ").unwrap_or_default();
+        let exports = exports.split("#[cfg(test)]").next().unwrap_or_default();
+        let words = exports.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        let names = words.filter(|word| {
+            !(word.is_empty() || word.starts_with("voxlume_") || ["pub", "use", "as"].contains(word))
+        });
+        let missing: Vec<&str> = names.filter(|name| !docs.contains(&format!("[`{name}`]"))).collect();
+        assert!(docs.contains("# Faults") && missing.is_empty(), "{missing:?}");
+    }
+}

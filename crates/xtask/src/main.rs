@@ -1,15 +1,17 @@
 //! Set-up of a bare machine: `cargo xtask render` and `cargo xtask test` build what they need, see to it that
-//! there is a graphics device, and do the work.
+//! there is a graphics device, and do the work. `cargo xtask package` tries the crates as others would get them.
 
 mod driver;
+mod package;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 const USAGE: &str = "cargo xtask render    build everything and render the Cornell box to out/cornell.png
 cargo xtask test      build everything and run all tests
+cargo xtask package   pack every crate that others may depend on, and build each from its package
 
-Where no graphics device is found, both install Debian's software Vulkan driver if they may (as root or with a
+Where no graphics device is found, the first two install Debian's software Vulkan driver if they may (as root or with a
 sudo that asks for no password), and say in one line what to install otherwise.";
 
 fn main() -> ExitCode {
@@ -17,6 +19,7 @@ fn main() -> ExitCode {
     let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["render"] => render(),
         ["test"] => test(),
+        ["package"] => package::package(),
         _ => {
             eprintln!("{USAGE}");
             return ExitCode::from(2);

@@ -6,8 +6,8 @@ import package::common::coverage::composite_coverage;
 import package::common::volume::load_volume;
 import package::encoding::{VolumeTarget, encode_texel};
 
-@group(2) @binding(1) var base_source: texture_3d<f32>;
-@group(2) @binding(8) var base_target: VolumeTarget;
+var base_source: texture_3d<f32>;
+var base_target: VolumeTarget;
 
 fn voxel_mipmap(cell: vec3u, level: u32) {
     var sum = vec4f(0.0);

@@ -7,7 +7,7 @@ import package::common::volume::sample_volume;
 // that it leaves.
 const VOXEL_ONE_SIDED = false;
 
-@group(2) @binding(1) var base: texture_3d<f32>;
+var base: texture_3d<f32>;
 
 fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
     return sample_volume(base, uvw, level);

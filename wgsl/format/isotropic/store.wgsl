@@ -2,7 +2,7 @@
 
 import package::encoding::{VolumeTarget, encode_texel};
 
-@group(2) @binding(8) var base_level0: VolumeTarget;
+var base_level0: VolumeTarget;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
     textureStore(base_level0, cell, encode_texel(vec4f(radiance * opacity, opacity)));

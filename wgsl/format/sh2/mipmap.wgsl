@@ -10,11 +10,11 @@ import package::format::options::{BASE, BASE_ISOTROPIC, MIP, MIP_COMPOSITED, MIP
 import package::format::project::project_child;
 import package::format::voxel::voxel_cell;
 
-@group(2) @binding(1) var base_source: texture_3d<f32>;
-@group(2) @binding(2) var harmonics_source: texture_3d<f32>;
-@group(2) @binding(3) var coverage_source: texture_3d<f32>;
-@group(2) @binding(9) var harmonics_target: SignedVolumeTarget;
-@group(2) @binding(10) var coverage_target: CoverageTarget;
+var base_source: texture_3d<f32>;
+var harmonics_source: texture_3d<f32>;
+var coverage_source: texture_3d<f32>;
+var harmonics_target: SignedVolumeTarget;
+var coverage_target: CoverageTarget;
 
 fn over(near: vec4f, far: vec4f) -> vec4f {
     return near + (1.0 - near.a) * far;

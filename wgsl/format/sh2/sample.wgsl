@@ -17,9 +17,9 @@ import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_SID
 // that it leaves.
 const VOXEL_ONE_SIDED = true;
 
-@group(2) @binding(1) var base: texture_3d<f32>;
-@group(2) @binding(2) var harmonics: texture_3d<f32>;
-@group(2) @binding(3) var coverage: texture_3d<f32>;
+var base: texture_3d<f32>;
+var harmonics: texture_3d<f32>;
+var coverage: texture_3d<f32>;
 
 // By how much the positive side of an axis shows more, and of band 0 the colour with the axis' number. `level` counts from the
 // coefficients' first, here and below.

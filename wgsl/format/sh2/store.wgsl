@@ -6,9 +6,9 @@ import package::format::cell::{COVERAGE, CoverageTarget, HARMONICS, coverage_tex
 import package::format::options::{BASE, BASE_ISOTROPIC};
 import package::format::voxel::voxel_cell;
 
-@group(2) @binding(8) var base_level0: VolumeTarget;
-@group(2) @binding(9) var harmonics_level0: SignedVolumeTarget;
-@group(2) @binding(10) var coverage_level0: CoverageTarget;
+var base_level0: VolumeTarget;
+var harmonics_level0: SignedVolumeTarget;
+var coverage_level0: CoverageTarget;
 
 fn voxel_store(cell: vec3u, radiance: vec3f, normal: vec3f, opacity: f32) {
     let value = vec4f(radiance * opacity, opacity);

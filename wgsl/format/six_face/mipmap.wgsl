@@ -10,9 +10,9 @@ import package::format::faces::{FACES, face_of};
 import package::format::options::{BASE, BASE_ISOTROPIC};
 
 // Level 0, where it is the level below and isotropic; else the faces of the level below.
-@group(2) @binding(1) var base_source: texture_3d<f32>;
-@group(2) @binding(2) var faces_source: texture_3d<f32>;
-@group(2) @binding(9) var faces_target: VolumeTarget;
+var base_source: texture_3d<f32>;
+var faces_source: texture_3d<f32>;
+var faces_target: VolumeTarget;
 
 fn child(cell: vec3u, level: u32, axis: u32, side: u32) -> vec4f {
     if (level > 1 || BASE != BASE_ISOTROPIC) {

@@ -11,8 +11,8 @@ import package::format::options::{BASE, BASE_ISOTROPIC};
 // that it leaves.
 const VOXEL_ONE_SIDED = true;
 
-@group(2) @binding(1) var base: texture_3d<f32>;
-@group(2) @binding(2) var faces: texture_3d<f32>;
+var base: texture_3d<f32>;
+var faces: texture_3d<f32>;
 
 // What the faces towards the observer show, each at its own place. `level` counts from the faces' first, here and below.
 fn faces_at(x: vec3f, y: vec3f, z: vec3f, level: f32, direction: vec3f) -> mat3x4f {

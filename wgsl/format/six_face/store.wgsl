@@ -6,8 +6,8 @@ import package::encoding::{VolumeTarget, encode_texel};
 import package::format::faces::FACES;
 import package::format::options::{BASE, BASE_DOMINANT, BASE_ISOTROPIC, BASE_WEIGHTED, EMPTY, EMPTY_BLACK, EMPTY_FILL};
 
-@group(2) @binding(8) var base_level0: VolumeTarget;
-@group(2) @binding(9) var faces_level0: VolumeTarget;
+var base_level0: VolumeTarget;
+var faces_level0: VolumeTarget;
 
 // How much of a surface of this normal a face shows; all of it where opposite surfaces cancel.
 fn face_weight(normal: vec3f, face: u32) -> f32 {

@@ -1,15 +1,16 @@
 //! Pipelines planned in every way that matters, without a scene.
 
 use glam::DVec3;
-use voxlume::{Faults, Formats, KINDS, Kind, Library, Pipeline, Request, SceneFacts, Value, plan};
+use voxlume::{Faults, Formats, Kinds, Library, Pipeline, Request, SceneFacts, Value, plan};
 
 /// Plans a pipeline with every format for scenes that need all of it. A fault may come several times.
 pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
+    let kinds = Kinds::builtin();
     let mut faults = Faults::default();
     // The file's own word is checked as well.
     let words = std::iter::once(None).chain(formats.iter().map(|format| Some(format.name().to_owned())));
     for format in words {
-        let request = Request { format, set: used(pipeline), ..Request::image(64, 64) };
+        let request = Request { format, set: used(pipeline, &kinds), ..Request::image(64, 64) };
         let mut planned = |request: &Request, facts: &SceneFacts| {
             faults.gather(plan(pipeline, facts, formats, library, request))
         };
@@ -19,8 +20,9 @@ pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Fault
                 .passes
                 .iter()
                 .filter(|pass| !whole.passes.iter().any(|other| other.name == pass.name));
-            let images = absent.filter(|pass| is_screen(&pass.run.value)).flat_map(|pass| &pass.writes);
-            for image in images {
+            let images = kinds.images(pipeline);
+            let writes = absent.flat_map(|pass| &pass.writes);
+            for image in writes.filter(|name| images.contains(&name.value.as_str())) {
                 planned(&Request { output: Some(image.value.clone()), ..request.clone() }, &rich(Some(2)));
             }
         }
@@ -29,18 +31,10 @@ pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Fault
     faults
 }
 
-/// Whether a pass makes images: an effect, the composite, a view of the voxels.
-fn is_screen(run: &str) -> bool {
-    KINDS.iter().find(|kind| kind.name == run).is_none_or(Kind::is_screen)
-}
-
-/// Bounces that the file turns off are checked too.
-fn used(pipeline: &Pipeline) -> Vec<(String, String, Value)> {
-    let bounces = pipeline.passes.iter().filter(|pass| pass.run.value == "bounce");
-    let off = bounces.filter(|pass| {
-        pass.params.iter().any(|param| param.name == "bounces" && param.value == Value::Number(0.0))
-    });
-    off.map(|pass| (pass.name.clone(), "bounces".to_owned(), Value::Number(1.0))).collect()
+/// Passes that the file turns off are checked too.
+fn used(pipeline: &Pipeline, kinds: &Kinds) -> Vec<(String, String, Value)> {
+    let idle = pipeline.passes.iter().filter_map(|pass| Some((pass, kinds.idle(pass)?.unless)));
+    idle.map(|(pass, (param, value))| (pass.name.clone(), param.to_owned(), Value::Number(value))).collect()
 }
 
 /// A scene with every feature. Its emission is so many polygons, or has to be gathered from voxels.
@@ -56,6 +50,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         spot: 1,
         polygons,
         emissive: true,
+        emission_max: 1.0,
         textured: true,
         texture_layers: [1, 2],
         texture_size: 64,

@@ -90,8 +90,12 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     args.image.plan(registry, &pipeline, &scene, None)?;
     let gpu = Gpu::open(args.adapter.as_deref())?;
     let plan = args.image.plan(registry, &pipeline, &scene, Some(&gpu))?;
-    let once: Vec<&str> =
-        plan.passes.iter().filter(|pass| pass.once).map(|pass| pass.name.as_str()).collect();
+    let once: Vec<&str> = plan
+        .passes
+        .iter()
+        .filter(|pass| pass.sources == Default::default())
+        .map(|pass| pass.name.as_str())
+        .collect();
     let once = once.join(", ");
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;

@@ -9,7 +9,8 @@ fn unknown_pipeline() {
     Folder::new().refuses(
         "render box.ron --pipeline ig -o out.png",
         "error: unknown pipeline `ig`
- = did you mean `gi`? one of: gi, rauwendaal, or a .ron file",
+ = did you mean `gi`? one of: gi, rauwendaal
+ = or a file, whose name ends in `.ron`",
     );
 }
 

@@ -269,3 +269,21 @@ error: two images would be compared as `final`
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }
+
+/// A coarser image is held against the pixels that its texels shade; with others its error is four times as large. A fifth
+/// more is what tiles of other pixels, which share out directions, come to.
+#[test]
+fn an_image_of_another_size_is_held_against_the_pixels_that_it_shades() {
+    let folder = Folder::new();
+    let half = "writes: [\"shadow\"],\n            scale: 2,";
+    folder.edit("half.ron", include_str!("../../../../pipelines/gi.ron"), "writes: [\"shadow\"],", half);
+    let ran = |pipeline: &str| {
+        let ran = compare(&folder, &format!("--effects soft_shadow --pipeline {pipeline}"));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        rows(&folder)[0]["error"]["rmse"].as_f64().unwrap()
+    };
+    let (full, half) = (ran("gi"), ran("half.ron"));
+    assert!((full - half).abs() < 0.3 * full, "{full} {half}");
+    let png = image::open(folder.path().join("out/images/cornell-soft_shadow-isotropic-rgba16float-32.png"));
+    assert_eq!(png.unwrap().into_rgb8().dimensions(), (16, 16));
+}

@@ -1,36 +1,53 @@
-//! The frame's uniform, as `struct Frame` in wgsl/common/frame.wgsl.
+//! The uniforms of a frame, as the structs of the same names in wgsl/common.
 
 use bytemuck::{Pod, Zeroable};
 use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec3};
-use voxlume_graph::{Plan, SceneFacts, fixed_point_scale};
-use voxlume_scene::{Camera, Scene};
+use voxlume_graph::Plan;
+use voxlume_scene::Camera as SceneCamera;
 
+/// `struct Camera` in wgsl/common/camera.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub(crate) struct Frame {
+pub(crate) struct Camera {
     pub(super) view_projection: Mat4,
     pub(super) eye: Vec3,
     pub(super) near: f32,
     pub(super) forward: Vec3,
-    pub(super) light_count: u32,
-    pub(super) right: Vec3,
-    pub(super) emission_max: f32,
-    pub(super) up: Vec3,
-    pub(super) level_count: u32,
-    pub(super) grid_min: Vec3,
     pub(super) voxel_size: f32,
-    pub(super) grid_size: [u32; 3],
-    pub(super) texture_size: u32,
-    pub(super) sky: Vec3,
-    pub(super) attribute_scale: f32,
+    pub(super) right: Vec3,
+    pub(super) padding_right: f32,
+    pub(super) up: Vec3,
+    pub(super) padding_up: f32,
     pub(super) screen: [u32; 2],
     pub(super) padding: [u32; 2],
-    pub(super) level_words: [u32; 16],
 }
 
-impl Frame {
-    pub fn new(plan: &Plan, facts: &SceneFacts, scene: &Scene, camera: &Camera, light_count: u32) -> Frame {
+/// `struct Environment` in wgsl/common/environment.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Environment {
+    pub(crate) sky: Vec3,
+    pub(crate) light_count: u32,
+}
+
+/// `struct Clock` in wgsl/common/clock.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Clock {
+    pub(crate) seconds: f32,
+    pub(crate) frame: u32,
+    pub(super) padding: [u32; 2],
+}
+
+impl Clock {
+    pub fn new(seconds: f32, frame: u32) -> Clock {
+        Clock { seconds, frame, padding: [0; 2] }
+    }
+}
+
+impl Camera {
+    pub fn new(plan: &Plan, camera: &SceneCamera) -> Camera {
         let grid = &plan.grid;
         let [width, height] = plan.screen;
         let aspect = width as f32 / height as f32;
@@ -42,31 +59,18 @@ impl Frame {
         let view = view::look_to_mat4(eye, camera.forward, up);
         let projection = directx::perspective_infinite_reverse(camera.vertical_fov, aspect, near);
         let half_height = (camera.vertical_fov / 2.0).tan();
-        let mut level_words = [0; 16];
-        for (to, from) in level_words.iter_mut().zip(grid.word_offsets().0) {
-            *to = from;
-        }
-        let emission =
-            scene.materials.iter().map(|material| material.emission.max_element()).fold(0.0, f32::max);
-        Frame {
+        Camera {
             view_projection: projection * view,
             eye,
             near,
             forward: camera.forward,
-            light_count,
-            right: right * half_height * aspect,
-            emission_max: emission.max(f32::MIN_POSITIVE),
-            up: up * half_height,
-            level_count: grid.levels(),
-            grid_min: grid.min(),
             voxel_size: grid.voxel_size,
-            grid_size: grid.size,
-            texture_size: facts.texture_size,
-            sky: scene.sky,
-            attribute_scale: fixed_point_scale(plan.triangles),
+            right: right * half_height * aspect,
+            padding_right: 0.0,
+            up: up * half_height,
+            padding_up: 0.0,
             screen: plan.screen,
             padding: [0; 2],
-            level_words,
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use voxlume_shader::{Library, StructLayout, link};
 
-use super::frame::Frame;
+use super::frame::{Camera, Clock, Environment};
 use super::light::Light;
 use super::material::Material;
 use super::mesh::Vertex;
@@ -50,12 +50,6 @@ fn difference(rust: &Layout, wgsl: &StructLayout) -> Option<String> {
         .then(|| format!("Rust, {} bytes: {of_rust:#?}\nWGSL, {} bytes: {of_wgsl:#?}", rust.size, wgsl.size))
 }
 
-fn frame() -> Layout {
-    layout!(Frame:
-        view_projection, eye, near, forward, light_count, right, emission_max, up, level_count, grid_min, voxel_size,
-        grid_size, texture_size, sky, attribute_scale, screen, padding, level_words)
-}
-
 fn vertex() -> Layout {
     layout!(Vertex: position, material, normal, tangent, uv)
 }
@@ -67,12 +61,17 @@ fn rust_and_wgsl_agree() {
         metallic_roughness_layer, normal_layer, emission_layer);
     let light = layout!(Light:
         position, kind, intensity, size, direction, shadow_layer, falloff, area, padding, corners);
+    let camera = layout!(Camera:
+        view_projection, eye, near, forward, voxel_size, right, padding_right, up, padding_up, screen, padding);
+    let environment = layout!(Environment: sky, light_count);
+    let clock = layout!(Clock: seconds, frame, padding);
     for (module, name, rust) in [
-        ("pass/gbuffer", "Frame", frame()),
+        ("pass/gbuffer", "Camera", camera),
         ("pass/gbuffer", "Vertex", vertex()),
         ("pass/gbuffer", "Material", material),
         ("pass/light", "Light", light),
-        ("pass/light", "Frame", frame()),
+        ("pass/light", "Environment", environment),
+        ("common/clock", "Clock", clock),
     ] {
         if let Some(difference) = difference(&rust, &in_wgsl(module, name)) {
             panic!("`{name}` differs\n{difference}");

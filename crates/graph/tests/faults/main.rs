@@ -5,6 +5,8 @@
 mod common;
 mod effects;
 mod graph;
+mod grids;
+mod images;
 mod params;
 mod words;
 

@@ -31,14 +31,11 @@ pub enum Measure {
 
 macro_rules! hard {
     ($file:literal) => {
-        (
-            concat!("scenes/hard/", $file, ".ron"),
-            include_str!(concat!("../../../../scenes/hard/", $file, ".ron")),
-        )
+        (concat!("scenes/hard/", $file, ".ron"), include_str!(concat!("../../scenes/hard/", $file, ".ron")))
     };
 }
 
-const FURNACE: (&str, &str) = ("scenes/furnace.ron", include_str!("../../../../scenes/furnace.ron"));
+const FURNACE: (&str, &str) = ("scenes/furnace.ron", include_str!("../../scenes/furnace.ron"));
 const BOTH: &[u32] = &[32, 64];
 
 const fn case(

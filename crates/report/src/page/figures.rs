@@ -4,22 +4,22 @@ use std::fmt::Write;
 
 use crate::plot::escape;
 use crate::results::{Outcome, Results};
-use crate::table::{FIGURES, figures};
+use crate::table::{FIGURES, SUBJECT, figures, subject};
 
 /// Adds the table; the page's script sorts by what `data-value` has, or else by the text.
 pub(super) fn table(html: &mut String, results: &Results) {
     html.push_str("<section>\n<h2>All figures</h2>\n<p>A click on a head sorts.</p>\n<div class=\"wide\"><table>\n<thead><tr>");
-    let heads = ["scene", "effect", "format", "encoding", "N"];
-    for head in heads.iter().chain(&FIGURES).chain(&["note"]) {
+    for head in SUBJECT.iter().chain(&FIGURES).chain(&["note"]) {
         let _ = write!(html, "<th><button type=\"button\">{head}</button></th>");
     }
     html.push_str("</tr></thead>\n<tbody>\n");
     for row in &results.rows {
         html.push_str("<tr>");
-        for cell in [&row.scene, &row.effect, &row.format, &row.encoding] {
-            let _ = write!(html, "<td>{}</td>", escape(cell));
+        let [words @ .., resolution] = subject(row);
+        for word in words {
+            let _ = write!(html, "<td>{}</td>", escape(&word));
         }
-        let _ = write!(html, "<td data-value=\"{0}\">{0}</td>", row.resolution);
+        let _ = write!(html, "<td data-value=\"{resolution}\">{resolution}</td>");
         match &row.outcome {
             Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 let values = [

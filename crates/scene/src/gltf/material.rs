@@ -8,7 +8,7 @@ use gltf::json::{Index, Root, deserialize, texture};
 use voxlume_fault::Faults;
 
 use super::{at, image::Wanted};
-use crate::{Material, TextureRef};
+use crate::{Material, TextureRef, rule};
 
 /// How a material's textures map a mesh's coordinates.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -78,7 +78,9 @@ pub(super) fn read(root: &Root, index: usize, wanted: &mut Wanted) -> Result<(Ma
         alpha_cutoff: alpha_cutoff(json),
         double_sided: json.double_sided,
     };
-    check(&material).into_iter().for_each(|what| faults.push(at(&place, what)));
+    for checked in check(&material) {
+        faults.gather(checked.map_err(|broken| at(&place, broken)));
+    }
     let map = agreed(&maps).map_err(|what| at(&place, what));
     let map = faults.gather(map).unwrap_or(UvMap::NONE);
     faults.into_result((material, map))
@@ -123,29 +125,16 @@ fn agreed(maps: &[(&str, UvMap)]) -> Result<UvMap, String> {
     }
 }
 
-fn check(material: &Material) -> Vec<String> {
-    let unit = |v: f32| (0.0..=1.0).contains(&v);
-    let checks = [
-        (material.base_color.to_array().into_iter().all(unit), "baseColorFactor", "from 0 to 1"),
-        (unit(material.metallic), "metallicFactor", "from 0 to 1"),
-        (unit(material.roughness), "roughnessFactor", "from 0 to 1"),
-        (material.normal_scale.is_finite(), "normalTexture.scale", "finite"),
-        (
-            material.emission.is_finite() && material.emission.min_element() >= 0.0,
-            "emissiveFactor × emissiveStrength",
-            "finite and at least 0",
-        ),
-        (
-            material.alpha_cutoff.is_none_or(|c| c.is_finite() && c >= 0.0),
-            "alphaCutoff",
-            "finite and at least 0",
-        ),
-    ];
-    checks
-        .into_iter()
-        .filter(|(good, ..)| !good)
-        .map(|(_, name, range)| format!("{name} must be {range}"))
-        .collect()
+/// The factors as glTF calls them.
+fn check(material: &Material) -> [Result<(), String>; 6] {
+    [
+        rule::check(rule::REFLECTANCE, "baseColorFactor", material.base_color),
+        rule::check(rule::SHARE, "metallicFactor", material.metallic),
+        rule::check(rule::SHARE, "roughnessFactor", material.roughness),
+        rule::check(rule::FINITE, "normalTexture.scale", material.normal_scale),
+        rule::check(rule::LIGHT, "emissiveFactor × emissiveStrength", material.emission),
+        rule::check(rule::SIZE, "alphaCutoff", material.alpha_cutoff.unwrap_or_default()),
+    ]
 }
 
 /// Drops masks that no texel can fail, so that nobody pays for the test.

@@ -7,7 +7,7 @@ use gltf::json::{Index, Node, Root};
 use voxlume_fault::{Fault, Faults};
 
 use super::at;
-use crate::{Camera, Light, LightKind};
+use crate::{Camera, Light, LightKind, rule};
 
 /// A node that the scene reaches.
 pub(super) struct Placed {
@@ -102,11 +102,9 @@ pub(super) fn light(root: &Root, placed: &Placed) -> Result<Option<Light>, Fault
     };
     let lights: &[JsonLight] = root.as_ref();
     let json = &lights[index];
-    let here = |what: &str| at(format!("lights[{index}]"), what);
+    let here = |what: String| at(format!("lights[{index}]"), what);
     let intensity = Vec3::from(json.color) * json.intensity;
-    if !intensity.is_finite() || intensity.min_element() < 0.0 {
-        return Err(here("color × intensity must be finite and at least 0"));
-    }
+    rule::check(rule::LIGHT, "color × intensity", intensity).map_err(here)?;
     let position = placed.transform.translation;
     let flat = || at(format!("nodes[{}]", placed.node), "its light has no direction: the scale is 0");
     let direction = || aim(&placed.transform).map(|(forward, _)| forward).ok_or_else(flat);
@@ -115,8 +113,8 @@ pub(super) fn light(root: &Root, placed: &Placed) -> Result<Option<Light>, Fault
             LightKind::Directional { direction: direction()?, angular_diameter: 0.0 }
         }
         (Checked::Valid(Type::Spot), Some(spot)) => {
-            let (inner, outer) = crate::light::cone(spot.inner_cone_angle, spot.outer_cone_angle)
-                .map_err(|e| here(&format!("spot: {e}")))?;
+            let (inner, outer) = rule::spot(spot.inner_cone_angle, spot.outer_cone_angle)
+                .map_err(|e| here(format!("spot: {e}")))?;
             LightKind::Spot { position, direction: direction()?, radius: 0.0, inner, outer }
         }
         _ => LightKind::Point { position, radius: 0.0 },
@@ -130,9 +128,8 @@ pub(super) fn camera(root: &Root, placed: &Placed) -> Result<Option<Camera>, Fau
     let Some(index) = root.nodes[placed.node].camera.map(|camera| camera.value()) else { return Ok(None) };
     let json = &root.cameras[index];
     let Some(perspective) = &json.perspective else { return Ok(None) };
-    if !(perspective.yfov > 0.0 && perspective.yfov < std::f32::consts::PI) {
-        return Err(at(format!("cameras[{index}]"), "yfov must be above 0 and below π"));
-    }
+    rule::check(rule::VERTICAL_FOV, "yfov", perspective.yfov)
+        .map_err(|broken| at(format!("cameras[{index}]"), broken))?;
     let flat = || at(format!("nodes[{}]", placed.node), "its camera has no direction: the scale is 0");
     let (forward, up) = aim(&placed.transform).ok_or_else(flat)?;
     let name = json.name.clone().unwrap_or_else(|| placed.name.clone());

@@ -5,7 +5,7 @@ use voxlume_fault::Faults;
 use voxlume_fault::ron::Node;
 
 use super::{path, value};
-use crate::{Camera, Path};
+use crate::{Camera, Path, rule};
 
 /// `None` only with a fault.
 pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Camera, Option<Path>)>, Faults> {
@@ -15,12 +15,11 @@ pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Camera, Optio
     let eye = value::vector(&mut fields, "eye", None, &mut faults);
     let target = value::vector(&mut fields, "target", None, &mut faults);
     let up = value::vector(&mut fields, "up", Some(DVec3::Y), &mut faults);
-    let angle = (|v: f32| v > 0.0 && v < 180.0, "above 0 and below 180");
-    let fov = value::checked(&mut fields, "fov_deg", None, angle, &mut faults);
+    let fov = value::angle(&mut fields, "fov_deg", None, rule::VERTICAL_FOV, &mut faults);
     let path = path::read(&mut fields, path::Scales::No, &mut faults);
     fields.finish(&mut faults);
     let camera = || {
-        let camera = Camera::look_at(name, eye?, target?, up?, fov?.to_radians());
+        let camera = Camera::look_at(name, eye?, target?, up?, fov?);
         let none = || node.fault("no view: `eye` is at `target`, or `up` points along the view", "");
         faults.gather(camera.ok_or_else(none))
     };

@@ -5,7 +5,7 @@ use voxlume_fault::Faults;
 use voxlume_fault::ron::{Fields, Node};
 
 use super::{path, value};
-use crate::{Light, LightKind, Path};
+use crate::{Light, LightKind, Path, rule};
 
 /// `None` only with a fault.
 pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Light, Option<Path>)>, Faults> {
@@ -26,9 +26,8 @@ pub(super) fn read(node: Node<'_>, index: usize) -> Result<Option<(Light, Option
 fn directional(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3)> {
     let direction = value::direction(fields, "direction", faults);
     let irradiance = value::colour(fields, "irradiance", None, faults);
-    let disc = (|v: f32| (0.0..180.0).contains(&v), "at least 0 and below 180");
-    let diameter = value::checked(fields, "angular_diameter_deg", Some(0.0), disc, faults);
-    let kind = LightKind::Directional { direction: direction?, angular_diameter: diameter?.to_radians() };
+    let diameter = value::angle(fields, "angular_diameter_deg", Some(0.0), rule::ANGULAR_DIAMETER, faults);
+    let kind = LightKind::Directional { direction: direction?, angular_diameter: diameter? };
     Some((kind, irradiance?))
 }
 
@@ -46,7 +45,7 @@ fn spot(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3
     let radius = radius(fields, faults);
     let inner = fields.or("inner_deg", 0.0_f32, faults);
     let outer = fields.or("outer_deg", 45.0_f32, faults);
-    let cone = crate::light::cone(inner.to_radians(), outer.to_radians());
+    let cone = rule::spot(inner.to_radians(), outer.to_radians());
     let whole = fields.whole();
     let (inner, outer) =
         faults.gather(cone.map_err(|e| whole.fault(e, "its `inner_deg` and `outer_deg`")))?;
@@ -55,5 +54,5 @@ fn spot(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<(LightKind, Vec3
 }
 
 fn radius(fields: &mut Fields<'_>, faults: &mut Faults) -> Option<f32> {
-    value::checked(fields, "radius", Some(0.0), (|v: f32| v >= 0.0, "at least 0"), faults)
+    value::checked(fields, "radius", Some(0.0), rule::SIZE, faults)
 }

@@ -5,7 +5,7 @@ use voxlume_fault::Faults;
 use voxlume_fault::ron::{FromRon, Node};
 
 use super::value::{self, Colour};
-use crate::Material;
+use crate::{Material, rule};
 
 pub(super) fn read(node: Node<'_>, faults: &mut Faults) -> Vec<Material> {
     let mut materials: Vec<Material> = Vec::new();
@@ -27,14 +27,14 @@ fn material(node: Node<'_>) -> Result<Option<Material>, Faults> {
     let mut faults = Faults::default();
     let mut fields = value::unnamed(node)?;
     let grey = Rgba(Vec4::new(0.8, 0.8, 0.8, 1.0));
-    let unit = |v: Rgba| v.0.min_element() >= 0.0 && v.0.max_element() <= 1.0;
-    let base_color =
-        value::checked(&mut fields, "base_color", Some(grey), (unit, "from 0 to 1"), &mut faults);
-    let metallic = value::fraction(&mut fields, "metallic", 0.0, &mut faults);
-    let roughness = value::fraction(&mut fields, "roughness", 1.0, &mut faults);
+    let (good, range) = rule::REFLECTANCE;
+    let reflectance = (|v: Rgba| good(v.0), range);
+    let base_color = value::checked(&mut fields, "base_color", Some(grey), reflectance, &mut faults);
+    let metallic = value::checked(&mut fields, "metallic", Some(0.0), rule::SHARE, &mut faults);
+    let roughness = value::checked(&mut fields, "roughness", Some(1.0), rule::SHARE, &mut faults);
     let emission = value::colour(&mut fields, "emission", Some(0.0), &mut faults);
     let masked = fields.node("alpha_cutoff").is_some();
-    let cutoff = value::fraction(&mut fields, "alpha_cutoff", 0.5, &mut faults);
+    let cutoff = value::checked(&mut fields, "alpha_cutoff", Some(0.0), rule::SIZE, &mut faults);
     let double_sided = fields.or("double_sided", false, &mut faults);
     fields.finish(&mut faults);
     let material = || {

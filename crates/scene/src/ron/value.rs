@@ -4,6 +4,8 @@ use glam::{DVec3, Vec3};
 use voxlume_fault::ron::{Fields, FromRon, Node};
 use voxlume_fault::{Fault, Faults, one_of, suggest};
 
+use crate::rule::{self, Rule};
+
 /// The fields of `(...)`, without a name before it.
 pub(super) fn unnamed<'a>(node: Node<'a>) -> Result<Fields<'a>, Fault> {
     match node.name() {
@@ -37,26 +39,25 @@ pub(super) fn checked<T: FromRon + Copy>(
     fields: &mut Fields<'_>,
     name: &str,
     default: Option<T>,
-    (good, range): (impl Fn(T) -> bool, &str),
+    rule: (impl Fn(T) -> bool, &str),
     faults: &mut Faults,
 ) -> Option<T> {
     let Some(node) = node(fields, name, default.is_some(), faults) else { return default };
     let value = faults.gather(node.get())?;
-    if !good(value) {
-        faults.push(node.fault(format!("`{name}` must be {range}"), ""));
-        return None;
-    }
-    Some(value)
+    let checked = rule::check(rule, &format!("`{name}`"), value);
+    faults.gather(checked.map_err(|broken| node.fault(broken, ""))).map(|()| value)
 }
 
-/// A number in [0,1].
-pub(super) fn fraction(
+/// An angle in degrees, which keeps to a rule in radians; in radians.
+pub(super) fn angle(
     fields: &mut Fields<'_>,
     name: &str,
-    default: f32,
+    default: Option<f32>,
+    (good, range): Rule<f32>,
     faults: &mut Faults,
 ) -> Option<f32> {
-    checked(fields, name, Some(default), (|v: f32| (0.0..=1.0).contains(&v), "from 0 to 1"), faults)
+    let rule = (|degrees: f32| good(degrees.to_radians()), range);
+    checked(fields, name, default, rule, faults).map(f32::to_radians)
 }
 
 /// A length above 0.
@@ -64,16 +65,16 @@ pub(super) fn length(fields: &mut Fields<'_>, name: &str, default: f64, faults: 
     checked(fields, name, Some(default), (|v: f64| v as f32 > 0.0, "above 0"), faults)
 }
 
-/// A linear colour, each part at least 0.
+/// A linear colour of light.
 pub(super) fn colour(
     fields: &mut Fields<'_>,
     name: &str,
     default: Option<f32>,
     faults: &mut Faults,
 ) -> Option<Vec3> {
-    let positive = |v: Colour| v.0.min_element() >= 0.0;
+    let (good, range) = rule::LIGHT;
     let default = default.map(|v| Colour(Vec3::splat(v)));
-    checked(fields, name, default, (positive, "at least 0"), faults).map(|colour| colour.0)
+    checked(fields, name, default, (|v: Colour| good(v.0), range), faults).map(|colour| colour.0)
 }
 
 /// A point or vector.

@@ -214,7 +214,7 @@ fn local_names_are_no_uses() {
     let names = "fn position() {}\nfn level() {}\nfn flat() {}\nfn x() {}\nfn i() {}\nfn done() {}\n";
     let user = "import package::common::names::done;
 struct S { position: vec3f, @align(16) level: f32 }
-@group(0) @binding(0) var<storage, read> data: array<S>;
+var<storage, read> data: array<S>;
 fn f(level: f32, i: u32) -> f32 { return data[i].level + level; }
 @fragment
 fn g(@builtin(position) at: vec4f, @location(0) @interpolate(flat) kind: u32) -> @location(0) vec4f {
@@ -244,6 +244,37 @@ fn g(@builtin(position) at: vec4f, @location(0) @interpolate(flat) kind: u32) ->
       │                      ^^^^^ declared in common/names.wgsl, not imported here
       │
       = add `import package::common::names::level;`
+    "#);
+}
+
+#[test]
+fn numbers_of_a_modules_own() {
+    let text = "@group(0) @binding(0) var<uniform> a: vec4f;
+@binding(1)
+@group(0)
+var b: texture_2d<f32>;
+@group(2) var c: sampler;
+@compute @workgroup_size(1) fn main(@builtin(workgroup_id) id: vec3u) {}
+";
+    assert_snapshot!(link_message(&[("pass/a", text)]), @r#"
+    error: a module may not number its resources
+      ┌─ pass/a.wgsl:1:1
+      │
+    1 │ @group(0) @binding(0) var<uniform> a: vec4f;
+      │ ^^^^^^^^^^^^^^^^^^^^^ remove this: the linker gives `@group` and `@binding`
+
+    error: a module may not number its resources
+      ┌─ pass/a.wgsl:2:1
+      │
+    2 │ ╭ @binding(1)
+    3 │ │ @group(0)
+      │ ╰─────────^ remove this: the linker gives `@group` and `@binding`
+
+    error: a module may not number its resources
+      ┌─ pass/a.wgsl:5:1
+      │
+    5 │ @group(2) var c: sampler;
+      │ ^^^^^^^^^ remove this: the linker gives `@group` and `@binding`
     "#);
 }
 

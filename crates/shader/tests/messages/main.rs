@@ -2,20 +2,14 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod check;
+#[path = "../common/mod.rs"]
+mod common;
 mod contract;
 mod link;
 
-use voxlume_fault::{Faults, Source};
-use voxlume_shader::{Library, Linked, link};
-
-/// A library of modules, each named after the file `<path>.wgsl`.
-fn library(modules: &[(&str, &str)]) -> Library {
-    let mut library = Library::empty();
-    for (path, text) in modules {
-        library.insert(path, Source::new(format!("{path}.wgsl"), *text));
-    }
-    library
-}
+use common::library;
+use voxlume_fault::Faults;
+use voxlume_shader::{Linked, link};
 
 /// Links the last of some modules.
 fn link_last(modules: &[(&str, &str)]) -> Result<Linked, Faults> {

@@ -1,0 +1,65 @@
+//! A volume from the voxels' radiance.
+
+use super::volume::store_and_mipmap;
+use super::{ParamWords, PassKind, Port, Sort, Values};
+use crate::expansion::Expansion;
+use crate::plan::Target;
+
+/// See [`PassKind::sentence`].
+#[derive(Debug)]
+pub(crate) struct Filter;
+
+impl PassKind for Filter {
+    fn name(&self) -> &str {
+        "filter"
+    }
+
+    fn sentence(&self) -> &str {
+        "stores the voxels' radiance in the storage format and makes its coarser levels"
+    }
+
+    fn reads(&self) -> &[Port] {
+        const PORTS: &[Port] = &[
+            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
+            Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance"),
+        ];
+        PORTS
+    }
+
+    fn writes(&self) -> &[Port] {
+        &[const { Port::new("volume", Sort::VOLUME, "filtered radiance and opacity, in the storage format") }]
+    }
+
+    fn words(&self) -> &[ParamWords] {
+        const WORDS: &[ParamWords] = &[
+            ParamWords {
+                name: "cells",
+                sentence: "parents made: those of occupied voxels, or all, which only costs more; `active` unless given",
+                values: Values::Words(&["active", "all"]),
+            },
+            ParamWords {
+                name: "format",
+                sentence: "storage format of this volume; the pipeline's unless given",
+                values: Values::Variant,
+            },
+            ParamWords {
+                name: "encoding",
+                sentence: "texel encoding of this volume; the pipeline's unless given",
+                values: Values::Variant,
+            },
+        ];
+        WORDS
+    }
+
+    fn expand(&self, pass: &mut Expansion<'_, '_>) {
+        let cells = pass.word_or("cells", "active");
+        // Read where the volume is made, which other passes may do first.
+        pass.gives("format");
+        pass.gives("encoding");
+        let (name, radiance) = (pass.written(), pass.input("radiance"));
+        let Some((volume, radiance)) = pass.volume(&name).zip(radiance) else { return };
+        pass.makes(volume.bundle.clone());
+        let Some(Target::Resource(direct)) = radiance.part("direct") else { return };
+        store_and_mipmap(pass, &volume, *direct, radiance.part("emitted"), cells == Some("all"));
+    }
+}

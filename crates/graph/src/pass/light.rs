@@ -1,0 +1,82 @@
+//! Direct light of voxels.
+
+use super::{ParamWords, PassKind, Port, Sort, Unread, Values};
+use crate::bundle::Bundle;
+use crate::expansion::{Expansion, Over};
+use crate::pipeline::{PassEntry, Value};
+use crate::plan::{ResourceKind, Target};
+
+/// See [`PassKind::sentence`].
+#[derive(Debug)]
+pub(crate) struct Light;
+
+/// Bytes of a voxel's radiance: four floats.
+pub(crate) const RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
+
+impl PassKind for Light {
+    fn name(&self) -> &str {
+        "light"
+    }
+
+    fn sentence(&self) -> &str {
+        "lights every voxel directly"
+    }
+
+    fn reads(&self) -> &[Port] {
+        const PORTS: &[Port] = &[
+            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
+            Port::optional("shadow_maps", Sort::SHADOW_MAPS, "depth maps, for occlusion"),
+            Port::optional("emitted", Sort::RADIANCE, "what voxels reflect of the sky and of emission"),
+        ];
+        PORTS
+    }
+
+    fn writes(&self) -> &[Port] {
+        &[const { Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance") }]
+    }
+
+    fn words(&self) -> &[ParamWords] {
+        const WORDS: &[ParamWords] = &[
+            ParamWords {
+                name: "occlusion",
+                sentence: "what tells whether a voxel sees a light",
+                values: Values::Words(&["shadow_map", "voxel_ray"]),
+            },
+            ParamWords {
+                name: "emission",
+                sentence: "a few emissive polygons as area lights, or all emission gathered from voxels",
+                values: Values::Words(&["area_lights", "gather"]),
+            },
+        ];
+        WORDS
+    }
+
+    fn unread(&self, entry: &PassEntry) -> &'static [Unread] {
+        const MAPS: &[Unread] =
+            &[Unread { port: "shadow_maps", why: "occlusion is by voxel ray", decided_by: None }];
+        if entry.param("occlusion") == Some(&Value::Word("voxel_ray".into())) { MAPS } else { &[] }
+    }
+
+    fn gathers_all_emission(&self, entry: &PassEntry) -> bool {
+        entry.param("emission") == Some(&Value::Word("gather".into()))
+    }
+
+    fn expand(&self, pass: &mut Expansion<'_, '_>) {
+        let occlusion = pass.word("occlusion");
+        // Read already, when the lights were chosen.
+        pass.word("emission");
+        let radiance = pass.resource(&pass.written(), RADIANCE);
+        let emitted = pass.input("emitted");
+        let maps = pass.input("shadow_maps").is_some() && occlusion == Some("shadow_map");
+        pass.run("pass/light")
+            .writes("direct", Target::Resource(radiance))
+            .with("USE_SHADOW_MAP", maps)
+            .over(Over::Cells(0));
+        // What is gathered is added where voxels are stored: lights may then change without gathering anew.
+        let mut bundle = Bundle::of("direct", Target::Resource(radiance));
+        if let Some(emitted) = emitted {
+            bundle.join(&emitted);
+        }
+        pass.makes(bundle);
+    }
+}
