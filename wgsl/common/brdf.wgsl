@@ -3,7 +3,7 @@
 
 import package::common::constants::PI;
 import package::common::range::unit_or;
-import package::common::reflectance::{specular_f0, diffuse_albedo};
+import package::common::reflectance::{DIELECTRIC_F0, specular_f0, diffuse_albedo};
 import package::common::surface::Surface;
 
 fn fresnel(f0: vec3f, cosine: f32) -> vec3f {
@@ -23,7 +23,7 @@ fn brdf(surface: Surface, light: vec3f) -> vec3f {
     let denominator = n_h * n_h * (a2 - 1.0) + 1.0;
     let d = a2 / (PI * denominator * denominator);
     let v = 0.5 / max(n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2), 1e-6);
-    let dielectric = fresnel(vec3f(0.04), dot(surface.view, half_vector));
+    let dielectric = fresnel(vec3f(DIELECTRIC_F0), dot(surface.view, half_vector));
     return (1.0 - dielectric) * diffuse_albedo(surface.base_color, surface.metallic) / PI + f * d * v;
 }
 

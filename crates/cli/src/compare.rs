@@ -42,6 +42,10 @@ pub struct Args {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     encodings: Vec<String>,
 
+    /// Tracer, instead of the pipeline's: cones
+    #[arg(long)]
+    tracer: Option<String>,
+
     /// Voxels along the grid's side
     #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
     resolutions: Vec<u32>,

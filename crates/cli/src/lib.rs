@@ -33,7 +33,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use tracing_subscriber::EnvFilter;
 use tracing_subscriber::filter::LevelFilter;
-use voxlume::{Formats, Library};
+pub use voxlume::Registry;
 
 use crate::failure::Failure;
 
@@ -72,21 +72,6 @@ enum Command {
     Devices(devices::Args),
 }
 
-/// What there is to choose from.
-pub struct Registry {
-    /// Storage formats.
-    pub formats: Formats,
-    /// WGSL modules, those of the formats among them.
-    pub library: Library,
-}
-
-impl Registry {
-    /// What Voxlume brings along.
-    pub fn builtin() -> Registry {
-        Registry { formats: Formats::builtin(), library: Library::builtin() }
-    }
-}
-
 /// Carries out the command that `arguments` say, the program's name first, and tells what went wrong on stderr.
 /// Called once, at the start of `main`, before there are other threads.
 pub fn main_with(registry: &Registry, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
@@ -111,7 +96,7 @@ fn run(program: &Program, registry: &Registry) -> Result<(), Failure> {
     let registry = match &program.wgsl {
         Some(folder) => {
             let library = library::with_folder(&registry.library, folder)?;
-            changed = Registry { formats: registry.formats.clone(), library };
+            changed = Registry { library, ..registry.clone() };
             &changed
         }
         None => registry,

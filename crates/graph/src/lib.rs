@@ -17,6 +17,8 @@ mod pipeline;
 mod plan;
 mod planner;
 mod probe;
+mod registry;
+mod tracer;
 mod variant;
 
 pub use expand::voxelize::DEFAULT_METHOD;
@@ -30,4 +32,6 @@ pub use plan::{
 };
 pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
+pub use registry::Registry;
+pub use tracer::{CONES, Tracer, Tracers};
 pub use variant::check_variant;

@@ -4,6 +4,7 @@ use naga::{Expression, Literal};
 use voxlume_fault::{Fault, Faults, one_of, suggest};
 use voxlume_shader::{Field, Shader, StructLayout};
 
+use crate::expand::Context;
 use crate::kind::{Kind, Values};
 use crate::pipeline::{Param, PassEntry, Pipeline, Value};
 
@@ -124,8 +125,11 @@ impl<'a> Params<'a> {
             None => match self.find(&field.name) {
                 Some(param) => (param, 1.0),
                 None => {
-                    faults.push(self.missing(&field.name, describe(shader, field)));
-                    return None;
+                    let default = default(field).and_then(|value| encode(shader, field, &value, 1.0));
+                    if default.is_none() {
+                        faults.push(self.missing(&field.name, describe(shader, field)));
+                    }
+                    return default;
                 }
             },
         };
@@ -136,15 +140,17 @@ impl<'a> Params<'a> {
         bytes
     }
 
-    /// Reports every parameter that nobody read.
-    pub fn finish(self, faults: &mut Faults) {
+    /// Reports every parameter that nobody read. Of a pass that traces, another tracer may.
+    pub fn finish(self, traces: bool, context: &mut Context<'_>) {
         let known: Vec<&str> =
             self.asked.iter().map(String::as_str).filter(|name| !name.ends_with("_deg")).collect();
         for param in &self.entry.params {
-            if !self.asked.contains(&param.name) {
+            let is_asked = self.asked.contains(&param.name);
+            let mut traced = context.tracers.iter().flat_map(|tracer| context.trace_params(tracer));
+            if !is_asked && !(traces && traced.any(|name| name == param.name)) {
                 let message = format!("pass `{}` has no parameter `{}`", self.entry.name, param.name);
                 let label = suggest(&param.name, known.iter().copied());
-                faults.push(self.pipeline.fault(&param.name_span, message, label));
+                context.faults.push(self.pipeline.fault(&param.name_span, message, label));
             }
         }
     }
@@ -213,6 +219,16 @@ fn describe(shader: &Shader, field: &Field) -> String {
     // The comment says the range again.
     let doc = field.docs.replace(&format!(", {range}"), "");
     if doc.is_empty() { format!("{what}{within}") } else { format!("{what}{within}: {doc}") }
+}
+
+/// What a field's comment says that it is unless given: `1 unless given`, "`doubling` unless given".
+fn default(field: &Field) -> Option<Value> {
+    let before = &field.docs[..field.docs.find(" unless given")?];
+    let word = before.rsplit(' ').next()?;
+    match word.strip_prefix('`').and_then(|word| word.strip_suffix('`')) {
+        Some(word) => Some(Value::Word(word.to_owned())),
+        None => word.parse().ok().map(Value::Number),
+    }
 }
 
 /// The range that a field's comment gives, such as `[0, 1)`.

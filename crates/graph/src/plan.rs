@@ -12,6 +12,8 @@ pub struct Plan {
     pub format: String,
     /// Its texel encoding.
     pub encoding: Encoding,
+    /// Name of the tracer of passes that name none.
+    pub tracer: String,
     /// The voxel grid.
     pub grid: Grid,
     /// Width and height of the image in pixels.

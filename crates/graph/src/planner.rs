@@ -3,7 +3,6 @@
 use std::path::{Component, Path};
 
 use voxlume_fault::{Fault, Faults, Source, suggest};
-use voxlume_format::Formats;
 use voxlume_shader::Library;
 
 use crate::entries::{check_entries, images, makes};
@@ -16,7 +15,8 @@ use crate::live::{explain_channels, live};
 use crate::order::{Makers, order};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
 use crate::plan::{Pass, Plan};
-use crate::variant;
+use crate::registry::Registry;
+use crate::{tracer, variant};
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct Request {
     pub format: Option<String>,
     /// Texel encoding with its options: `rgba8:range=8`.
     pub encoding: Option<String>,
+    /// Tracer of passes that name none.
+    pub tracer: Option<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Option<u32>,
     /// The image to make.
@@ -46,6 +48,7 @@ impl Request {
         Request {
             format: None,
             encoding: None,
+            tracer: None,
             resolution: None,
             output: None,
             set: Vec::new(),
@@ -59,7 +62,7 @@ impl Request {
 /// Effects are made by a kind of their own, which has no word: `run` names the effect.
 static EFFECT_KIND: Kind = Kind {
     name: "effect",
-    sentence: "runs a cone-traced effect for every pixel",
+    sentence: "runs an effect for every pixel",
     reads: &[],
     writes: &[],
     updates: &[],
@@ -74,17 +77,17 @@ static EFFECT_KIND: Kind = Kind {
 pub fn plan(
     pipeline: &Pipeline,
     facts: &SceneFacts,
-    formats: &Formats,
-    library: &Library,
+    registry: &Registry,
     request: &Request,
 ) -> Result<Plan, Faults> {
     let mut faults = Faults::default();
     let mut pipeline = pipeline.clone();
     apply(&mut pipeline, request, &mut faults);
-    let library = with_own_effects(&pipeline, library, &mut faults);
+    let library = with_own_effects(&pipeline, &registry.library, &mut faults);
+    tracer::resolve(&mut pipeline, &registry.tracers, &mut faults);
     let pipeline = &pipeline;
 
-    let format = variant::format(pipeline, formats, &mut faults);
+    let format = variant::format(pipeline, &registry.formats, &mut faults);
     let encoding = variant::encoding(pipeline, &mut faults);
     if !["conservative", "thin"].contains(&pipeline.separability.value.as_str()) {
         faults.push(unknown(pipeline, "separability", &pipeline.separability, &["conservative", "thin"]));
@@ -113,7 +116,8 @@ pub fn plan(
     let grid = Grid::new(pipeline.resolution.value, pipeline.extent, facts.bounds);
     let storage = Storage::new(format, choices, encoding, request.filters_float32);
     let plan_format = storage.word();
-    let mut context = Context::new(pipeline, facts, storage, grid, request.screen, library, area_lights);
+    let mut context =
+        Context::new(pipeline, facts, storage, grid, request.screen, library, &registry.tracers, area_lights);
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();
     for index in ordered.into_iter().filter(|index| live.contains(index)) {
@@ -156,6 +160,7 @@ pub fn plan(
     let plan = Plan {
         format: plan_format,
         encoding,
+        tracer: pipeline.tracer.value.clone(),
         grid,
         screen: request.screen,
         triangles: facts.triangles,
@@ -180,6 +185,7 @@ fn apply(pipeline: &mut Pipeline, request: &Request, faults: &mut Faults) {
     };
     replace(&mut pipeline.format, &request.format);
     replace(&mut pipeline.encoding, &request.encoding);
+    replace(&mut pipeline.tracer, &request.tracer);
     replace(&mut pipeline.output, &request.output);
     if let Some(value) = request.resolution {
         pipeline.resolution = Located { value, span: None };

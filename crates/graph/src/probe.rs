@@ -13,6 +13,7 @@ use crate::grid::Grid;
 use crate::kind::{KINDS, Kind};
 use crate::pipeline::Pipeline;
 use crate::plan::{Pass, Plan, ResourceKind, Target};
+use crate::tracer::Tracers;
 
 /// How much a [`probe`] holds.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +30,7 @@ pub struct ProbeSize {
     pub filters_float32: bool,
 }
 
-const PROBE_BYTES: u64 = 64;
+const PROBE_BYTES: u64 = 32;
 
 const PIPELINE: &str = r#"(
     format: "given", encoding: "given", resolution: 16, separability: "conservative", output: "probed",
@@ -44,8 +45,7 @@ static PROBE: Kind =
 
 /// Plans what `filter` does for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
 /// `levels`, `attributes` (12 words a voxel, the last its opacity) and `radiance`, and then samples the volume as
-/// `probes` says into `probed`: 64 bytes (uvw, level; direction of travel, apex and what lies behind it, each with padding) and
-/// 48 bytes (`voxel_sample`; of `voxel_sample_ahead` the value, what lies behind, and the opacity known) a sample.
+/// `probes` says into `probed`: 32 bytes (uvw, level, direction of travel, padding) and 16 bytes (`voxel_sample`) a sample.
 ///
 /// # Errors
 /// Every fault of the format's shaders.
@@ -61,7 +61,9 @@ pub fn probe(
     let grid = Grid { size: [size.side; 3], centre: DVec3::ZERO, voxel_size: 1.0 };
     let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
-    let mut context = Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), false);
+    let tracers = Tracers::builtin();
+    let mut context =
+        Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), &tracers, false);
     // Opacity as it comes.
     context.coverage = true;
     let stride = u64::from(context.attribute_stride());
@@ -74,7 +76,7 @@ pub fn probe(
         ("attributes", size.voxels * stride * 4),
         ("radiance", size.voxels * 16),
         ("probes", samples * PROBE_BYTES),
-        ("probed", samples * 48),
+        ("probed", samples * 16),
     ] {
         context.resource(name, ResourceKind::Buffer(bytes));
     }
@@ -96,6 +98,7 @@ pub fn probe(
     faults.into_result(Plan {
         format: format.name().to_owned(),
         encoding,
+        tracer: pipeline.tracer.value.clone(),
         grid,
         screen: [1, 1],
         triangles: 0,

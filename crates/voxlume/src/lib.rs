@@ -1,13 +1,13 @@
 //! Voxel cone tracing on `wgpu` with pluggable voxel storage formats.
 //!
 //! ```no_run
-//! use voxlume::{Formats, Gpu, Library, Passes, Pipeline, Renderer, Request, Scene, SceneFacts, plan};
+//! use voxlume::{Gpu, Passes, Pipeline, Registry, Renderer, Request, Scene, SceneFacts, plan};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/cornell.ron".as_ref())?;
 //! let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
 //! let facts = SceneFacts::of(&scene)?;
-//! let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(512, 512))?;
+//! let plan = plan(&pipeline, &facts, &Registry::builtin(), &Request::image(512, 512))?;
 //! let gpu = Gpu::open(None)?;
 //! let mut renderer = Renderer::new(&gpu, plan, &scene)?;
 //! renderer.render(&scene, &scene.cameras[0], Passes::Changed)?;
@@ -23,9 +23,9 @@ pub use voxlume_format::{
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize, Program,
-    Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Value, check_variant, explain,
-    plan, probe,
+    Bind, CONES, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize,
+    Program, Registry, Request, Resource, ResourceKind, SURFACE_IMAGES, SceneFacts, Step, Target, Tracer,
+    Tracers, Value, check_variant, explain, plan, probe,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -57,7 +57,7 @@ pub fn cells(
     pipeline: &Pipeline,
 ) -> Result<(Vec<Subject>, Vec<Cell>), Failure> {
     let mut faults = Faults::default();
-    let Registry { formats: known, library } = registry;
+    let known = &registry.formats;
     let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
     let formats = words("storage format", &args.formats, &names, &mut faults);
     let encodings = if args.encodings.is_empty() {
@@ -92,8 +92,8 @@ pub fn cells(
     let [width, height] = args.size;
     for subject in &subjects {
         // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request::image(width, height);
-        faults.gather(voxlume::plan(pipeline, &subject.facts, known, library, &request));
+        let request = Request { tracer: args.tracer.clone(), ..Request::image(width, height) };
+        faults.gather(voxlume::plan(pipeline, &subject.facts, registry, &request));
     }
     if !faults.is_empty() {
         return Err(faults.into());

@@ -163,14 +163,14 @@ impl Sweep<'_> {
         let request = Request {
             format: Some(cell.format.clone()),
             encoding: Some(cell.encoding.clone()),
+            tracer: self.args.tracer.clone(),
             resolution: Some(cell.resolution),
             output: cell.effect.image(&self.pipeline).map(str::to_owned),
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(self.args.size[0], self.args.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let Registry { formats, library } = self.registry;
-        voxlume::plan(&self.pipeline, facts, formats, library, &request).map_err(Failure::from)
+        voxlume::plan(&self.pipeline, facts, self.registry, &request).map_err(Failure::from)
     }
 
     /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.

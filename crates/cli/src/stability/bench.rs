@@ -50,8 +50,7 @@ impl Bench<'_> {
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(size[0], size[1])
         };
-        let Registry { formats, library } = self.registry;
-        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, formats, library, &request)?;
+        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, self.registry, &request)?;
         let mut renderer = Renderer::new(self.gpu, plan, scene)?;
         renderer.render(scene, &scene.cameras[0], Passes::All)?;
         Ok(renderer)

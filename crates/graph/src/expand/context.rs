@@ -10,6 +10,7 @@ use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::pipeline::Pipeline;
 use crate::plan::{LeftOut, Resource, ResourceKind};
+use crate::tracer::{Tracer, Tracers};
 
 /// A storage format with all that is chosen about it.
 pub(crate) struct Storage<'a> {
@@ -57,6 +58,7 @@ pub(crate) struct Context<'a> {
     pub grid: Grid,
     pub screen: [u32; 2],
     pub library: Library,
+    pub tracers: &'a Tracers,
     pub area_lights: bool,
     /// How voxels join the reflectances of triangles.
     pub conflict: &'static str,
@@ -65,7 +67,7 @@ pub(crate) struct Context<'a> {
     /// Images of `surface` that some planned pass, or the output, uses.
     pub surface_images: BTreeSet<&'static str>,
     pub shaders: Vec<Shader>,
-    linked: BTreeMap<(String, String), usize>,
+    linked: BTreeMap<(String, String, &'static str), usize>,
     pub resources: Vec<Resource>,
     pub left_out: Vec<LeftOut>,
     pub faults: Faults,
@@ -85,6 +87,7 @@ impl<'a> Context<'a> {
         grid: Grid,
         screen: [u32; 2],
         library: Library,
+        tracers: &'a Tracers,
         area_lights: bool,
     ) -> Context<'a> {
         Context {
@@ -94,6 +97,7 @@ impl<'a> Context<'a> {
             grid,
             screen,
             library,
+            tracers,
             area_lights,
             conflict: "sum",
             available: BTreeSet::new(),
@@ -122,15 +126,14 @@ impl<'a> Context<'a> {
         self.resources.iter().position(|resource| resource.name == name)
     }
 
-    /// Links and checks a module, once for each mount.
-    pub fn shader(&mut self, entry: &str, mount: Option<(&str, &str)>) -> Option<usize> {
-        let key = (entry.to_owned(), mount.map(|(_, target)| target).unwrap_or_default().to_owned());
+    /// Links and checks a module, once for each mount and tracer.
+    pub fn shader(&mut self, entry: &str, mount: Option<(&str, &str)>, tracer: &Tracer) -> Option<usize> {
+        let target = mount.map(|(_, target)| target).unwrap_or_default();
+        let key = (entry.to_owned(), target.to_owned(), tracer.modules);
         if let Some(shader) = self.linked.get(&key) {
             return Some(*shader);
         }
-        let mut mounts = self.storage.mounts();
-        mounts.extend(mount);
-        let checked = link(&self.library, entry, &mounts).and_then(voxlume_shader::Linked::check);
+        let checked = self.checked(entry, mount, tracer);
         let shader = self.faults.gather(checked)?;
         self.shaders.push(shader);
         self.linked.insert(key, self.shaders.len() - 1);
@@ -138,11 +141,24 @@ impl<'a> Context<'a> {
     }
 
     /// Checks an effect's module by itself, so that faults point into it.
-    pub fn effect(&mut self, module: &str) -> Option<()> {
-        let checked =
-            link(&self.library, module, &self.storage.mounts()).and_then(voxlume_shader::Linked::check);
+    pub fn effect(&mut self, module: &str, tracer: &Tracer) -> Option<()> {
+        let checked = self.checked(module, None, tracer);
         let shader = self.faults.gather(checked)?;
         self.faults.gather(shader.fulfils(&EFFECT, module))
+    }
+
+    /// Names of what a tracer lets a pass choose.
+    pub fn trace_params(&self, tracer: &Tracer) -> Vec<String> {
+        let shader = self.checked(&format!("{}/trace", tracer.modules), None, tracer);
+        let layout = shader.ok().and_then(|shader| shader.struct_layout("TraceParams"));
+        layout.map_or_else(Vec::new, |layout| layout.fields.into_iter().map(|field| field.name).collect())
+    }
+
+    fn checked(&self, entry: &str, mount: Option<(&str, &str)>, tracer: &Tracer) -> Result<Shader, Faults> {
+        let mut mounts = self.storage.mounts();
+        mounts.push(("tracer", tracer.modules));
+        mounts.extend(mount);
+        link(&self.library, entry, &mounts).and_then(voxlume_shader::Linked::check)
     }
 
     /// Values for the scene-wide `override`s.

@@ -8,7 +8,7 @@ pub(crate) mod shadow_maps;
 pub(crate) mod voxel_view;
 pub(crate) mod voxelize;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use voxlume_shader::{Binding, Shader};
 
@@ -18,6 +18,7 @@ use crate::kind::{Kind, SURFACE_IMAGES};
 use crate::params::{Params, words};
 use crate::pipeline::PassEntry;
 use crate::plan::{Bind, Program, ResourceKind, Step, Target};
+use crate::tracer::Tracer;
 
 /// Variables that the engine supplies.
 const SCENE: [&str; 11] = [
@@ -59,11 +60,13 @@ pub(crate) struct Expansion<'c, 'a> {
     pub entry: &'a PassEntry,
     pub kind: &'static Kind,
     pub params: Params<'a>,
+    pub tracer: &'a Tracer,
     pub steps: Vec<Step>,
     /// Steps before these, which have to be done only once.
     pub once: Vec<Step>,
     used: BTreeSet<String>,
-    uniform: Option<Target>,
+    traces: bool,
+    uniforms: BTreeMap<&'static str, Target>,
 }
 
 /// What a program is bound to beside the variables that everybody knows.
@@ -78,15 +81,18 @@ pub(crate) struct Binds<'b> {
 impl<'c, 'a> Expansion<'c, 'a> {
     pub fn new(context: &'c mut Context<'a>, entry: &'a PassEntry, kind: &'static Kind) -> Expansion<'c, 'a> {
         let params = Params::of(context.pipeline, entry);
+        let tracer = context.tracers.of(context.pipeline, entry);
         Expansion {
             context,
             entry,
             kind,
             params,
+            tracer,
             steps: Vec::new(),
             once: Vec::new(),
             used: BTreeSet::new(),
-            uniform: None,
+            traces: false,
+            uniforms: BTreeMap::new(),
         }
     }
 
@@ -102,7 +108,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
         entries: &[&'static str],
         binds: &Binds<'_>,
     ) -> Option<Program> {
-        let shader = self.context.shader(module, binds.mount)?;
+        let shader = self.context.shader(module, binds.mount, self.tracer)?;
+        if self.context.shaders[shader].links(self.tracer.modules) {
+            self.traces = true;
+            // Opacity alone may take less than all.
+            self.used.extend(self.tracer.reads.iter().map(|name| (*name).to_owned()));
+        }
         let mut bindings: Vec<Binding> = Vec::new();
         for entry in entries {
             for binding in self.context.shaders[shader].bindings(entry) {
@@ -173,8 +184,10 @@ impl<'c, 'a> Expansion<'c, 'a> {
         if SCENE.contains(&name) {
             return Some(Target::Resource(self.context.resource(name, ResourceKind::Scene)));
         }
-        if name == "params" {
-            return self.uniform(shader);
+        match name {
+            "params" => return self.uniform(shader, "Params"),
+            "trace_params" => return self.uniform(shader, "TraceParams"),
+            _ => {}
         }
         let volume = self.context.storage.volumes().iter().any(|volume| volume.name == name);
         if binding.group == VOLUME_GROUP && !volume {
@@ -229,20 +242,25 @@ impl<'c, 'a> Expansion<'c, 'a> {
         }
         // Without its shader a pass's parameters are unknown.
         if !self.steps.is_empty() || self.kind.name == "bounce" {
-            self.params.finish(&mut self.context.faults);
+            self.params.finish(self.traces, self.context);
+            let in_vain = self.entry.tracer.as_ref().filter(|_| !self.traces);
+            self.context.faults.extend(in_vain.map(|word| {
+                let message = format!("pass `{}` traces nothing", self.entry.name);
+                self.context.pipeline.fault(&word.span, message, "a tracer named in vain")
+            }));
         }
         (self.once, self.steps)
     }
 
-    /// The `Params` of the pass's shader, read once however often it is bound.
-    fn uniform(&mut self, shader: usize) -> Option<Target> {
-        if self.uniform.is_none() {
+    /// The pass's parameters as a struct of its shader has them, read once however often it is bound.
+    fn uniform(&mut self, shader: usize, name: &'static str) -> Option<Target> {
+        if !self.uniforms.contains_key(name) {
             let shader = &self.context.shaders[shader];
-            let layout = shader.struct_layout("Params")?;
+            let layout = shader.struct_layout(name)?;
             let bytes = self.params.uniform(shader, &layout, &mut self.context.faults);
-            self.uniform = Some(Target::Uniform(bytes));
+            self.uniforms.insert(name, Target::Uniform(bytes));
         }
-        self.uniform.clone()
+        self.uniforms.get(name).cloned()
     }
 }
 

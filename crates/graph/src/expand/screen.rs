@@ -19,7 +19,7 @@ fn over_pixels(e: &mut Expansion<'_, '_>, module: &str, effect: Option<&str>) {
     let Some(write) = e.entry.writes.first() else { return };
     let layers = if e.entry.layers.is_some() { e.context.light_count().div_ceil(4).max(1) } else { 1 };
     let kind = ResourceKind::Image { texel: ImageTexel::Rgba16Float, layers };
-    if effect.is_some_and(|effect| e.context.effect(effect).is_none()) {
+    if effect.is_some_and(|effect| e.context.effect(effect, e.tracer).is_none()) {
         return;
     }
     let mount = effect.map(|effect| ("effect", effect));
