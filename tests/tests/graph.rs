@@ -125,8 +125,7 @@ fn softened(first: u32, second: u32) -> Picture {
             run: \"composite\",
             reads: [\"surface\", \"shadow\", \"ao\", \"softer as diffuse\", \"specular\"],"
     );
-    let composite =
-        "(\n            run: \"composite\",\n            reads: [\"surface\", \"shadow\", \"ao\", \"diffuse\", \"specular\"],";
+    let composite = "(\n            run: \"composite\",\n            reads: [\"surface\", \"shadow\", \"ao\", \"diffuse\", \"specular\"],";
     shown("cornell.ron", &[(composite, &entries)], &[("soft.wgsl", SOFT)], &request("final"))
 }
 
@@ -147,7 +146,8 @@ fn two_volumes_in_two_formats_are_what_each_is_alone() {
     let second = "(run: \"filter\", name: \"other\", reads: [\"voxels\", \"radiance\"], writes: [\"others\"], params: (format: \"six_face\")),";
     let both = format!("{filter} {second}");
     let ao = "reads: [\"surface\", \"volume\"],\n            writes: [\"ao\"]";
-    let changes = [(filter, both.as_str()), (ao, "reads: [\"surface\", \"others\"],\n            writes: [\"ao\"]")];
+    let changes =
+        [(filter, both.as_str()), (ao, "reads: [\"surface\", \"others\"],\n            writes: [\"ao\"]")];
     let alone = |format: &str, output: &str| {
         shown("cornell.ron", &[], &[], &Request { format: Some(format.into()), ..request(output) })
     };

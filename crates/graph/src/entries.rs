@@ -68,7 +68,7 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
 }
 
 /// What sort of thing each name is, by the pass that writes it.
-fn sorts(pipeline: &Pipeline, kinds: &Kinds) -> BTreeMap<String, Sort> {
+pub(crate) fn sorts(pipeline: &Pipeline, kinds: &Kinds) -> BTreeMap<String, Sort> {
     let mut sorts = BTreeMap::new();
     for entry in &pipeline.passes {
         for (name, port) in entry.writes.iter().zip(kinds.of(entry).writes()) {

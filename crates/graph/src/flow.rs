@@ -88,9 +88,6 @@ impl Flow {
     }
 }
 
-/// How the uniform with a pass's parameters is called, after the pass's own name.
-pub(crate) const PARAMS_SUFFIX: &str = ".params";
-
 /// A resource in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Touch {

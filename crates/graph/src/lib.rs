@@ -21,7 +21,9 @@ mod plan;
 mod planner;
 mod probe;
 mod prune;
+mod registry;
 mod storage;
+mod tracer;
 mod variant;
 
 pub use builtin::PIPELINES;
@@ -37,6 +39,8 @@ pub use plan::{
     Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,
     Resource, ResourceKind, Sources, Step, Target, Update, Vertices,
 };
-pub use planner::{Request, plan, plan_with};
+pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
+pub use registry::Registry;
+pub use tracer::{CONES, Tracer, Tracers};
 pub use variant::check_variant;

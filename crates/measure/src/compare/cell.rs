@@ -6,9 +6,9 @@ use voxlume::{Camera, Encoding, Fault, Faults, Grid, Request, Scene, SceneFacts,
 use voxlume_reference::cache::SceneDigest;
 
 use super::Sweep;
+use crate::Error;
 use crate::effect::Effect;
 use crate::words::words;
-use crate::{Error, Registry};
 
 /// A scene of the sweep.
 pub struct Subject {
@@ -50,7 +50,7 @@ impl Cell {
 pub fn cells(sweep: &Sweep<'_>) -> Result<(Vec<Subject>, Vec<Cell>), Error> {
     let mut faults = Faults::default();
     let Sweep { registry, pipeline, .. } = sweep;
-    let Registry { formats: known, library } = registry;
+    let known = &registry.formats;
     let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
     let formats = words("storage format", &sweep.formats, &names, &mut faults);
     let encodings = if sweep.encodings.is_empty() {
@@ -85,8 +85,8 @@ pub fn cells(sweep: &Sweep<'_>) -> Result<(Vec<Subject>, Vec<Cell>), Error> {
     let [width, height] = sweep.size;
     for subject in &subjects {
         // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request::image(width, height);
-        faults.gather(voxlume::plan(pipeline, &subject.facts, known, library, &request));
+        let request = Request { tracer: sweep.tracer.clone(), ..Request::image(width, height) };
+        faults.gather(voxlume::plan(pipeline, &subject.facts, registry, &request));
     }
     if !faults.is_empty() {
         return Err(faults.into());

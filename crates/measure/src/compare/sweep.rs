@@ -14,7 +14,7 @@ use super::measure::measure;
 use super::report::judge;
 use super::truth::Truths;
 use crate::effect::bounces;
-use crate::{Error, Progress, Registry, describe};
+use crate::{Error, Progress, describe};
 
 /// What cells need.
 struct Run<'a> {
@@ -132,14 +132,14 @@ impl Run<'_> {
         let request = Request {
             format: Some(cell.format.clone()),
             encoding: Some(cell.encoding.clone()),
+            tracer: self.sweep.tracer.clone(),
             resolution: Some(cell.resolution),
             output: cell.effect.image(self.sweep.pipeline).map(str::to_owned),
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(self.sweep.size[0], self.sweep.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let Registry { formats, library } = self.sweep.registry;
-        voxlume::plan(self.sweep.pipeline, facts, formats, library, &request).map_err(Error::from)
+        voxlume::plan(self.sweep.pipeline, facts, self.sweep.registry, &request).map_err(Error::from)
     }
 
     /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.
