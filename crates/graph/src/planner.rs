@@ -219,7 +219,8 @@ fn finished(entry: &PassEntry, expanded: Expanded, context: &Context<'_>) -> Vec
     let parts = parts.into_iter().filter(|(_, steps, ..)| !steps.is_empty());
     parts
         .map(|(name, steps, params, never_moves)| {
-            let Flow { mut sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+            let Flow { mut sources, inputs, outputs } =
+                Flow::of(&steps, &context.shaders, &context.resources, &params);
             sources.geometry &= context.facts.moving_triangles > 0 && !never_moves;
             let (reads, writes, update) = (reads.clone(), writes.clone(), entry.update);
             let has_input = |name: &str| {

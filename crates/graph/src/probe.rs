@@ -135,7 +135,8 @@ pub fn probe(
         let mut expansion = Expansion::new(&mut context, entry);
         kinds.of(entry).expand(&mut expansion);
         let Expanded { steps, params, .. } = expansion.finish();
-        let Flow { sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+        let Flow { sources, inputs, outputs } =
+            Flow::of(&steps, &context.shaders, &context.resources, &params);
         let (name, update) = (entry.name.clone(), Update::Changed);
         passes.push(Pass {
             name,

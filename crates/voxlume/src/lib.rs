@@ -135,7 +135,9 @@
 //! | [`Source`] | A text and its name. |
 //! | [`nearest`], [`one_of`] | Choices as messages give them. |
 
-pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Texels};
+pub use voxlume_engine::{
+    Clock, Counters, Error, Frame, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Session, Texels,
+};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
 pub use voxlume_format::{
     Choices, Encoding, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2, SixFace,
