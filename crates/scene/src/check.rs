@@ -1,17 +1,14 @@
 //! Whether a scene is what [`Scene`] promises, wherever it comes from.
 
-use glam::{DVec3, Vec3, Vec4Swizzles};
+use glam::{DVec3, Vec4Swizzles};
 use voxlume_fault::{Fault, Faults};
 
 use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
-use crate::rule;
+use crate::rule::{self, UNIT};
 use crate::{Animation, Camera, Instance, Key, Light, LightKind, Material, Mesh, Scene};
 
 /// How far from the world's origin anything may reach: beyond it, squares of lengths leave `f32`.
 pub const WORLD_LIMIT: f64 = 1e15;
-
-/// How far from 1 the squared length of a unit vector may be: `f32`'s rounding of a few operations, with room.
-const UNIT: f32 = 1e-3;
 
 impl Scene {
     /// Checks a scene that was made or changed in memory; loaded ones are checked already. Of each part it tells the first
@@ -162,11 +159,6 @@ fn below(index: usize, count: usize, what: &str) -> Result<(), String> {
     if index < count { Ok(()) } else { Err(format!("it names {what} {index} of {count}")) }
 }
 
-/// NaN is not.
-fn is_unit(v: Vec3) -> bool {
-    (v.length_squared() - 1.0).abs() < UNIT
-}
-
 impl Key {
     fn is_finite(&self) -> bool {
         let Key { time, scale, rotation, translation } = self;
@@ -225,19 +217,17 @@ impl Light {
     fn check(&self) -> Result<(), String> {
         rule::check(rule::LIGHT, "`intensity`", self.intensity)?;
         match self.kind {
-            LightKind::Directional { angular_diameter, .. } => {
-                rule::check(rule::ANGULAR_DIAMETER, "`angular_diameter`", angular_diameter)?;
+            LightKind::Directional { direction, angular_diameter } => {
+                rule::check(rule::DIRECTION, "`direction`", direction)?;
+                rule::check(rule::ANGULAR_DIAMETER, "`angular_diameter`", angular_diameter)
             }
-            LightKind::Point { radius, .. } => rule::check(rule::SIZE, "`radius`", radius)?,
-            LightKind::Spot { radius, inner, outer, .. } => {
+            LightKind::Point { radius, .. } => rule::check(rule::SIZE, "`radius`", radius),
+            LightKind::Spot { direction, radius, inner, outer, .. } => {
+                rule::check(rule::DIRECTION, "`direction`", direction)?;
                 rule::check(rule::SIZE, "`radius`", radius)?;
-                rule::check_spot(inner, outer)?;
+                rule::check_spot(inner, outer)
             }
         }
-        if let LightKind::Directional { direction, .. } | LightKind::Spot { direction, .. } = &self.kind {
-            holds(is_unit(*direction), "its direction is not of length 1")?;
-        }
-        Ok(())
     }
 }
 
@@ -254,8 +244,9 @@ impl Camera {
     }
 
     fn checked(&self) -> Result<(), String> {
-        let upright = is_unit(self.forward) && is_unit(self.up) && self.forward.dot(self.up).abs() < UNIT;
-        holds(upright, "forward and up must be of length 1 and at right angles")?;
+        rule::check(rule::DIRECTION, "`forward`", self.forward)?;
+        rule::check(rule::DIRECTION, "`up`", self.up)?;
+        holds(self.forward.dot(self.up).abs() < UNIT, "`forward` and `up` must be at right angles")?;
         rule::check(rule::VERTICAL_FOV, "`vertical_fov`", self.vertical_fov)
     }
 }
