@@ -27,7 +27,7 @@ fn effect(surface: Surface, params: Params) -> vec4f {
 
 /// Its entry, put before all others of `pipelines/gi.ron`.
 const ENTRY: &str = r#"passes: [
-        (run: "mine/thickness.wgsl", reads: ["surface", "volume"], writes: ["thickness"], params: (aperture_deg: 40, depth: 12)),"#;
+        (run: "mine/thickness.wgsl", reads: ["surface", "volume"], writes: ["thickness"], shows: "share", params: (aperture_deg: 40, depth: 12)),"#;
 
 #[test]
 fn an_effect_from_a_file_runs_with_every_format() {

@@ -32,7 +32,7 @@ fn floor(pipeline: &Pipeline, scene: &Scene, format: &str) -> Vec<(Vec3, f32)> {
     let (bent, normal) = (picture(&renderer, "bent_normal"), picture(&renderer, "normal"));
     assert!(bent.pixels.iter().flatten().all(|value| value.is_finite()), "{format}");
     let pixels = bent.pixels.iter().zip(&normal.pixels).filter(|(_, normal)| normal[1] > 0.9);
-    pixels.map(|(b, _)| (vec3(b[0], b[1], b[2]) * 2.0 - 1.0, b[3])).collect()
+    pixels.map(|(b, _)| (vec3(b[0], b[1], b[2]), b[3])).collect()
 }
 
 #[test]

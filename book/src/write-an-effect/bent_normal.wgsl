@@ -1,5 +1,5 @@
 // Bent normals: the mean direction from which a surface is open (Landis, "Production-Ready Global Illumination",
-// SIGGRAPH 2002), stored as normal maps are, n/2 + 1/2; alpha is how open it is, [0, 1].
+// SIGGRAPH 2002); alpha is how open it is, [0, 1].
 
 import package::common::basis::basis_around;
 import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
@@ -28,5 +28,5 @@ fn effect(surface: Surface, params: Params) -> vec4f {
     let size = length(open.xyz);
     // Where nothing is open there is no such direction: the normal stays.
     let bent = select(surface.normal, open.xyz / max(size, 1e-6), size > 1e-3);
-    return vec4f(0.5 * bent + 0.5, open.a);
+    return vec4f(bent, open.a);
 }

@@ -21,6 +21,9 @@ use crate::{interrupt, pipeline};
 /// run again unless something that decides it has changed.
 ///
 /// Compared are pixels in which both show a surface; emitters count only in `final`, or where there is nothing else.
+/// An effect whose entry names no `reference` is held against itself, in the first format and encoding at the finest
+/// resolution given.
+///
 /// The reference looks through pixels' centres, as the renderer does, and reflects as glTF says. Its own noise is taken
 /// off RMSE and relative MSE; where it is over a fifth of the RMSE a note says so, and more --spp helps.
 #[derive(clap::Args)]
@@ -50,7 +53,8 @@ pub struct Args {
     #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
     resolutions: Vec<u32>,
 
-    /// Effects with commas between, or all that a scene has: soft_shadow, ambient_occlusion, diffuse, specular, final
+    /// Effects with commas between, or all that a scene has: names of the pipeline's effects, and final; of gi
+    /// soft_shadow, ambient_occlusion, diffuse, specular, final
     #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
     effects: Vec<String>,
 

@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use voxlume::{Picture, Request, Scene, SceneFacts};
+use voxlume::{Picture, Reference, Request, Scene, SceneFacts};
 use voxlume_measure::Progress as _;
 use voxlume_measure::effect::Effect;
 use voxlume_measure::outfile::{self, OutFile};
@@ -40,8 +39,8 @@ pub struct Args {
     time: f64,
 
     /// What to compute
-    #[arg(long, default_value = "final", value_parser = effect())]
-    effect: Effect,
+    #[arg(long, default_value = "final", value_parser = Reference::WORDS.map(|(word, _)| word))]
+    effect: String,
 
     /// Bounces of indirect light; 0 is direct light only
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(..=1000))]
@@ -58,11 +57,6 @@ pub struct Args {
     /// File to write, by its extension .png or .exr; may be repeated
     #[arg(short, value_name = "FILE", required = true)]
     out: Vec<PathBuf>,
-}
-
-fn effect() -> impl TypedValueParser<Value = Effect> {
-    let names = PossibleValuesParser::new(Effect::ALL.map(Effect::name));
-    names.try_map(|name| Effect::ALL.into_iter().find(|effect| effect.name() == name).ok_or("unknown"))
 }
 
 /// Runs the command.
@@ -82,7 +76,11 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let facts = SceneFacts::of(&scene)?;
     // The plan tells the grid and which emitters are lights; its own size doesn't matter.
     let plan = voxlume::plan(&pipeline, &facts, registry, &Request::image(64, 64))?;
-    let quantity = args.effect.quantity(&pipeline, &plan, &scene, args.bounces)?;
+    let effects = Effect::all(&pipeline);
+    let named = |effect: &&Effect<'_>| effect.name == args.effect;
+    let effect = effects.iter().find(named).ok_or_else(|| Failure::work("`gi` has no such effect"))?;
+    let quantity = effect.quantity(&pipeline, &plan, &scene, args.bounces)?;
+    let quantity = quantity.ok_or_else(|| Failure::work("`gi` names no reference for it"))?;
     let request = voxlume_reference::Request {
         camera,
         width,
@@ -111,14 +109,14 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let picture = Picture { width, height, pixels };
     let encoded = files
         .into_iter()
-        .map(|(kind, file)| Ok((file, kind.encode(&picture, args.effect.shown_as(), 1.0)?)))
+        .map(|(kind, file)| Ok((file, kind.encode(&picture, effect.shows, 1.0)?)))
         .collect::<Result<Vec<_>, Failure>>()?;
     outfile::write(&encoded)?;
     drop(progress);
     let line = |[r, g, b]: [f64; 3]| format!("{r:.6} {g:.6} {b:.6}");
     crate::print(&format!(
         "{} of {} · {width} × {height} pixels, {} samples each\nmean                        {}\nstandard error of a pixel   {} (root mean square)\n",
-        args.effect.name(),
+        args.effect,
         scene.name,
         args.spp,
         line(mean),

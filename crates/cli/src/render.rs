@@ -6,10 +6,10 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use voxlume::{Fault, Gpu, Passes, Pipeline, Renderer, Scene};
+use voxlume::{Fault, Gpu, Passes, Renderer, Scene};
 use voxlume_measure::outfile::{self, OutFile};
 use voxlume_measure::picture::Kind;
-use voxlume_measure::{Frames, Progress as _, describe};
+use voxlume_measure::{Frames, Progress as _, describe, shows};
 use voxlume_report::OutOfRange;
 
 use crate::Registry;
@@ -18,13 +18,13 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::timing::{Report, Resource};
-use crate::voxelize;
 
 /// Render a scene to PNG and EXR, and tell what it cost
 ///
 /// A PNG is for the eye: images of light are multiplied by 2^EV (--exposure), tone-mapped (Reinhard et al. 2002, eq. 4,
 /// on luminance, white at 4) and sRGB-encoded; albedo is only sRGB-encoded; normal and geometry are shown as
-/// n/2 + 1/2; ao, shadow and depth are clamped to [0, 1]. An EXR has the linear values as computed, in 32-bit float,
+/// n/2 + 1/2; depth is clamped to [0, 1]. An effect's image is shown as `shows` in its entry says: light, share (clamped
+/// to [0, 1]), normal or albedo. An EXR has the linear values as computed, in 32-bit float,
 /// with alpha as the pass left it (final: 1 on surfaces, 0 in the sky; shadow: the fourth light).
 ///
 /// Every timed frame runs all passes, also those, such as voxelize, that a still scene needs only once.
@@ -125,10 +125,10 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let report = report(&gpu, &scene, &renderer, &frames, clamped);
     let name = &renderer.plan().resources[renderer.plan().output].name;
     let picture = renderer.picture(name)?;
-    let shown = channel_shown(&pipeline, args, name);
+    let shows = shows(&pipeline, &args.image.plan.set, name);
     let mut files = Vec::new();
     for (kind, file) in pictures {
-        files.push((file, kind.encode(&picture, &shown, args.exposure.exp2())?));
+        files.push((file, kind.encode(&picture, shows, args.exposure.exp2())?));
     }
     if let Some(file) = times {
         files.push((file, json(&report)?));
@@ -137,11 +137,6 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     drop(progress);
     let clamped = clamped.map(|clamped| format!("\nnote: {clamped}\n")).unwrap_or_default();
     crate::print(&(report.tables(&frames) + &clamped))
-}
-
-/// The image's kind for the eye: its name, or the channel of a view of the voxels.
-fn channel_shown(pipeline: &Pipeline, args: &Args, image: &str) -> String {
-    voxelize::channel_of(pipeline, &args.image.plan.set, image).unwrap_or_else(|| image.to_owned())
 }
 
 fn json(report: &Report) -> Result<Vec<u8>, Failure> {

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use voxlume::{DEFAULT_METHOD, Gpu, Passes, Pipeline, Renderer, Value};
 use voxlume_measure::outfile::{self, OutFile};
-use voxlume_measure::{Frames, Progress as _};
+use voxlume_measure::{Frames, Progress as _, channel_shows};
 
 use crate::Registry;
 use crate::args::{self, PlanArgs};
@@ -142,7 +142,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
             (Kind::Vox, Some(cells)) => vox::encode(cells, renderer.plan().grid.size)?,
             (Kind::Picture(kind), _) => {
                 let name = &renderer.plan().resources[renderer.plan().output].name;
-                kind.encode(&renderer.picture(name)?, &args.channel, scale)?
+                kind.encode(&renderer.picture(name)?, channel_shows(&args.channel), scale)?
             }
             (Kind::Ply | Kind::Vox, None) => continue,
         };
@@ -196,20 +196,6 @@ fn request(args: &Args, pipeline: &Pipeline) -> voxlume::Request {
 fn method(pipeline: &Pipeline) -> Option<String> {
     let pass = pipeline.passes.iter().find(|pass| pass.run.value == "voxelize")?;
     match &pass.params.iter().find(|param| param.name == "method")?.value {
-        Value::Word(word) => Some(word.clone()),
-        _ => None,
-    }
-}
-
-/// The channel that an image of a pipeline shows, if it is a view of the voxels.
-pub fn channel_of(pipeline: &Pipeline, set: &[(String, String, Value)], image: &str) -> Option<String> {
-    let views = |pass: &&voxlume::PassEntry| {
-        pass.run.value == "voxel_view" && pass.writes.iter().any(|name| name.value == image)
-    };
-    let pass = pipeline.passes.iter().find(views)?;
-    let given = pass.params.iter().filter(|param| param.name == "channel").map(|param| &param.value);
-    let set = set.iter().filter(|(name, param, _)| *name == pass.name && param == "channel");
-    match given.chain(set.map(|(_, _, value)| value)).last()? {
         Value::Word(word) => Some(word.clone()),
         _ => None,
     }

@@ -55,6 +55,18 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
                 faults.push(pipeline.fault(&read.span, format!("`{name}` has no last value"), label));
             }
         }
+        let described = [
+            pass.shows.as_ref().map(|shows| ("shows", &shows.span)),
+            pass.reference.as_ref().map(|reference| ("reference", &reference.span)),
+        ];
+        for (word, span) in described.into_iter().flatten().filter(|_| !is_image(kinds, pass)) {
+            let message = format!("pass `{}` makes no image that `{word}` could describe", pass.name);
+            faults.push(pipeline.fault(
+                span,
+                message,
+                "only a pass that makes an image for the screen has it",
+            ));
+        }
         match kinds.get(run) {
             Some(kind) => check_ports(pipeline, pass, kind, &sorts, faults),
             None if pass.writes.len() != 1 => {

@@ -6,6 +6,8 @@ use glam::DVec3;
 use voxlume_fault::Faults;
 use voxlume_scene::{Instance, LightKind, Mesh, Scene};
 
+use crate::live::CONDITIONS;
+
 /// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
 pub const AREA_LIGHT_LIMIT: usize = 16;
 
@@ -145,5 +147,11 @@ impl SceneFacts {
     /// Lights without a surface in the scene.
     pub fn punctual(&self) -> u32 {
         self.directional + self.point + self.spot
+    }
+
+    /// Whether the scene has what the word after `when` asks for. With `area_lights`, emissive polygons are lights.
+    pub fn meets(&self, condition: &str, area_lights: bool) -> bool {
+        let known = CONDITIONS.iter().find(|(word, ..)| *word == condition);
+        known.is_none_or(|(_, _, holds)| holds(self, area_lights))
     }
 }

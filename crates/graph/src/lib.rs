@@ -22,6 +22,7 @@ mod planner;
 mod probe;
 mod prune;
 mod registry;
+mod shown;
 mod storage;
 mod tracer;
 mod variant;
@@ -42,5 +43,6 @@ pub use plan::{
 pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
 pub use registry::Registry;
+pub use shown::{Reference, Shows};
 pub use tracer::{CONES, Tracer, Tracers};
 pub use variant::check_variant;

@@ -13,6 +13,7 @@ use crate::expansion::LAST;
 use crate::grid::Extent;
 use crate::limits::TEXTURE_2D;
 use crate::plan::{ImageExtent, ImageTexel, Update};
+use crate::shown::{Reference, Shows, choice};
 use crate::tracer::CONES;
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
@@ -74,6 +75,10 @@ pub struct PassEntry {
     pub update: Update,
     /// Whether each tile of 4 × 4 pixels shares out the effect's directions, and the image is their mean.
     pub interleave: bool,
+    /// What its image's values are; light unless given.
+    pub shows: Option<Located<Shows>>,
+    /// What its image is held against; the finest setting compared unless given.
+    pub reference: Option<Located<Reference>>,
     /// Its parameters.
     pub params: Vec<Param>,
     /// Bytes of `run`'s value, for faults about the whole.
@@ -110,6 +115,11 @@ impl PassEntry {
     pub fn alias(&self, name: &str) -> String {
         let given = self.aliases.iter().find(|(known, _)| known == name);
         given.map_or_else(|| name.replace(LAST, "_last"), |(_, alias)| alias.clone())
+    }
+
+    /// Whether it runs a WGSL file that makes one image, not a kind of pass.
+    pub fn is_effect(&self) -> bool {
+        self.run.value.starts_with("effect/") || self.run.value.ends_with(".wgsl")
     }
 }
 
@@ -305,6 +315,8 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let when = optional_word(&mut fields, "when", faults);
     let layers = optional_word(&mut fields, "layers", faults);
     let tracer = optional_word(&mut fields, "tracer", faults);
+    let shows = choice(&mut fields, "shows", &Shows::WORDS, faults);
+    let reference = choice(&mut fields, "reference", &Reference::WORDS, faults);
     let params: Vec<Param> = match fields.node("params").map(|node| faults.gather(node.fields())) {
         Some(Some(list)) => list
             .iter()
@@ -345,6 +357,8 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
         image,
         update,
         interleave,
+        shows,
+        reference,
         params,
         span,
     })

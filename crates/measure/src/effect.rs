@@ -1,111 +1,90 @@
-//! Effects, their images in a pipeline, and what the reference computes for each.
+//! Images that are compared, and what the reference computes for each.
 
-use voxlume::{Fault, Pipeline, Plan, Scene, SceneFacts, Value};
+use voxlume::{Fault, PassEntry, Pipeline, Plan, Reference, Scene, Shows, Value};
 use voxlume_reference::{Gather, Panel, Quantity};
 
-/// What is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// Visibility of the first light.
-    SoftShadow,
-    /// Accessibility, with the pass's own reach and falloff.
-    AmbientOcclusion,
-    /// Irradiance that surfaces and the sky send.
-    Diffuse,
-    /// Radiance along the glossy lobe.
-    Specular,
-    /// The whole image.
-    Final,
+/// An image that is compared.
+#[derive(Clone, Copy, Debug)]
+pub struct Effect<'p> {
+    /// The effect's name in the pipeline; for an image of another kind of pass, such as `final`, the image's.
+    pub name: &'p str,
+    /// The image in the pipeline.
+    pub image: &'p str,
+    /// What its values are.
+    pub shows: Shows,
+    /// What it is held against; `None` for the sweep's finest setting.
+    pub reference: Option<Reference>,
+    pub(crate) entry: &'p PassEntry,
 }
 
-impl Effect {
-    /// All of them.
-    pub const ALL: [Effect; 5] =
-        [Effect::SoftShadow, Effect::AmbientOcclusion, Effect::Diffuse, Effect::Specular, Effect::Final];
-
-    /// The word for it: the stem of its WGSL file, or `final`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Effect::SoftShadow => "soft_shadow",
-            Effect::AmbientOcclusion => "ambient_occlusion",
-            Effect::Diffuse => "diffuse",
-            Effect::Specular => "specular",
-            Effect::Final => "final",
-        }
-    }
-
-    /// Whether its values are shares, shown as they are, and only the first channel is the effect's.
-    pub fn is_share(self) -> bool {
-        matches!(self, Effect::SoftShadow | Effect::AmbientOcclusion)
-    }
-
-    /// The image of [`crate::picture`]'s kinds that it is shown as.
-    pub fn shown_as(self) -> &'static str {
-        if self.is_share() { "ao" } else { "final" }
-    }
-
-    /// Whether a scene has anything of it.
-    pub fn applies(self, facts: &SceneFacts) -> bool {
-        match self {
-            Effect::SoftShadow => facts.punctual() > 0 || facts.polygons.is_some_and(|count| count > 0),
-            Effect::Specular => facts.glossy,
-            _ => true,
-        }
-    }
-
-    /// The image that the pipeline's pass of that effect writes.
-    pub fn image(self, pipeline: &Pipeline) -> Option<&str> {
-        let run = match self {
-            Effect::Final => "composite".to_owned(),
-            _ => format!("effect/{}", self.name()),
+impl<'p> Effect<'p> {
+    /// A pipeline's effects, its output, and what else has a reference, in the order of the file.
+    pub fn all(pipeline: &'p Pipeline) -> Vec<Effect<'p>> {
+        let effect = |entry: &'p PassEntry| {
+            let image = entry.writes.first()?.value.as_str();
+            let output = image == pipeline.output.value;
+            let compared = entry.is_effect() || entry.reference.is_some() || output;
+            compared.then(|| Effect {
+                name: if entry.is_effect() { &entry.name } else { image },
+                image,
+                shows: entry.shows.as_ref().map_or(Shows::default(), |shows| shows.value),
+                reference: entry.reference.as_ref().map(|reference| reference.value),
+                entry,
+            })
         };
-        let pass = pipeline.passes.iter().find(|pass| pass.run.value == run)?;
-        pass.writes.first().map(|image| image.value.as_str())
+        pipeline.passes.iter().filter_map(effect).collect()
     }
 
-    /// What the reference computes for the effect as this plan of the pipeline shows it, after so many bounces of
-    /// indirect light.
+    /// What the reference computes for the image as this plan of the pipeline shows it, after so many bounces of indirect
+    /// light; `None` for an effect without a reference.
     ///
     /// # Errors
-    /// The scene has no light to cast a shadow; the pipeline has no pass for ambient occlusion.
+    /// The scene has no light to cast a shadow; the entry has no `distance` or `falloff` of ambient occlusion.
     pub fn quantity(
-        self,
+        &self,
         pipeline: &Pipeline,
         plan: &Plan,
         scene: &Scene,
         bounces: u32,
-    ) -> Result<Quantity, Fault> {
+    ) -> Result<Option<Quantity>, Fault> {
         // Area lights reach pixels directly; other emission is gathered from voxels.
         let gather = Gather { bounces, sky: true, emission: !plan.area_lights };
-        Ok(match self {
-            Effect::SoftShadow => first_light(plan, scene)?,
-            Effect::AmbientOcclusion => {
+        let Some(reference) = self.reference else { return Ok(None) };
+        Ok(Some(match reference {
+            Reference::SoftShadow => first_light(plan, scene)?,
+            Reference::AmbientOcclusion => {
                 let longest = plan.grid.size.into_iter().max().unwrap_or(0) as f32 * plan.grid.voxel_size;
-                let number = |name| number(pipeline, "effect/ambient_occlusion", name);
+                let given = number(self.entry, "distance").zip(number(self.entry, "falloff"));
                 let missing = || {
-                    Fault::new("the pipeline has no `effect/ambient_occlusion` with `distance` and `falloff`")
+                    let span = self.entry.reference.as_ref().and_then(|reference| reference.span.clone());
+                    let message = format!("pass `{}` has no number `distance` or `falloff`", self.entry.name);
+                    pipeline.fault(
+                        &span,
+                        message,
+                        "accessibility is traced with both, from the entry's `params`",
+                    )
                 };
-                let (distance, falloff) = number("distance").zip(number("falloff")).ok_or_else(missing)?;
+                let (distance, falloff) = given.ok_or_else(missing)?;
                 Quantity::AmbientOcclusion {
                     distance: distance as f32 * longest,
                     falloff: falloff as f32 / longest,
                 }
             }
-            Effect::Diffuse => Quantity::Diffuse(gather),
-            Effect::Specular => Quantity::Specular(gather),
-            Effect::Final => Quantity::Final { bounces },
-        })
+            Reference::Diffuse => Quantity::Diffuse(gather),
+            Reference::Specular => Quantity::Specular(gather),
+            Reference::Final => Quantity::Final { bounces },
+        }))
     }
 }
 
 /// Bounces of indirect light that a pipeline shows: one by gathering, and those of its `bounce` passes.
-pub fn bounces(pipeline: &Pipeline) -> u32 {
-    1 + number(pipeline, "bounce", "bounces").unwrap_or(0.0) as u32
+pub(crate) fn bounces(pipeline: &Pipeline) -> u32 {
+    let pass = pipeline.passes.iter().find(|pass| pass.run.value == "bounce");
+    1 + pass.and_then(|pass| number(pass, "bounces")).unwrap_or(0.0) as u32
 }
 
-fn number(pipeline: &Pipeline, run: &str, param: &str) -> Option<f64> {
-    let pass = pipeline.passes.iter().find(|pass| pass.run.value == run)?;
-    match pass.params.iter().find(|given| given.name == param)?.value {
+fn number(entry: &PassEntry, param: &str) -> Option<f64> {
+    match entry.params.iter().find(|given| given.name == param)?.value {
         Value::Number(number) => Some(number),
         _ => None,
     }

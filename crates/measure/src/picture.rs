@@ -5,7 +5,7 @@ use std::path::Path;
 
 use exr::prelude::{Encoding, Image, Layer, LayerAttributes, SpecificChannels, WritableImage};
 use image::{ImageFormat, RgbImage};
-use voxlume::{Fault, Picture, one_of};
+use voxlume::{Fault, Picture, Shows, one_of};
 
 use crate::Error;
 use crate::tone::{reinhard, srgb};
@@ -32,12 +32,12 @@ impl Kind {
         }
     }
 
-    /// The whole file's bytes. `name` is the image in the pipeline; `scale` multiplies light in a PNG.
-    pub fn encode(self, picture: &Picture, name: &str, scale: f32) -> Result<Vec<u8>, Error> {
+    /// The whole file's bytes. `scale` multiplies light in a PNG.
+    pub fn encode(self, picture: &Picture, shows: Shows, scale: f32) -> Result<Vec<u8>, Error> {
         let mut bytes = Cursor::new(Vec::new());
         match self {
             Kind::Png => {
-                let image = RgbImage::from_raw(picture.width, picture.height, shown(picture, name, scale))
+                let image = RgbImage::from_raw(picture.width, picture.height, shown(picture, shows, scale))
                     .ok_or_else(|| Error::work("a picture of another size than its pixels"))?;
                 image.write_to(&mut bytes, ImageFormat::Png).map_err(failed)?;
             }
@@ -67,17 +67,17 @@ fn failed(error: impl std::fmt::Display) -> Error {
 }
 
 /// A picture for the eye, three bytes a pixel, as in a PNG.
-pub fn shown(picture: &Picture, name: &str, scale: f32) -> Vec<u8> {
-    picture.pixels.iter().flat_map(|[r, g, b, _]| visible(name, [*r, *g, *b], scale)).collect()
+pub fn shown(picture: &Picture, shows: Shows, scale: f32) -> Vec<u8> {
+    picture.pixels.iter().flat_map(|[r, g, b, _]| visible(shows, [*r, *g, *b], scale)).collect()
 }
 
-/// A colour for the eye. Light is tone-mapped, albedo only encoded; what is no colour is shown as it is.
-pub fn visible(name: &str, color: [f32; 3], scale: f32) -> [u8; 3] {
-    let shown = match name {
-        "normal" | "geometry" => color.map(|c| c * 0.5 + 0.5),
-        "ao" | "shadow" | "depth" | "occupancy" | "opacity" => color,
-        "albedo" => color.map(|c| srgb(c.clamp(0.0, 1.0))),
-        _ => reinhard(color.map(|c| c * scale)).map(srgb),
+/// A value for the eye. `scale` multiplies light.
+pub fn visible(shows: Shows, color: [f32; 3], scale: f32) -> [u8; 3] {
+    let shown = match shows {
+        Shows::Normal => color.map(|c| c * 0.5 + 0.5),
+        Shows::Share => color,
+        Shows::Albedo => color.map(|c| srgb(c.clamp(0.0, 1.0))),
+        Shows::Light => reinhard(color.map(|c| c * scale)).map(srgb),
     };
     // A conversion to an integer saturates, and makes 0 of NaN.
     shown.map(|c| (c * 255.0).round() as u8)
@@ -91,19 +91,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_image_is_shown_in_its_way() {
+    fn values_are_shown_as_what_they_are() {
         let pixel = [0.5, -1.0, 2.0];
-        assert_eq!(visible("normal", pixel, 4.0), [191, 0, 255]);
-        assert_eq!(visible("ao", pixel, 4.0), [128, 0, 255]);
-        assert_eq!(visible("albedo", pixel, 4.0), [188, 0, 255]);
-        assert_eq!(visible("final", [0.25, 0.25, 0.25], 2.0), visible("diffuse", [0.5, 0.5, 0.5], 1.0));
+        assert_eq!(visible(Shows::Normal, pixel, 4.0), [191, 0, 255]);
+        assert_eq!(visible(Shows::Share, pixel, 4.0), [128, 0, 255]);
+        assert_eq!(visible(Shows::Albedo, pixel, 4.0), [188, 0, 255]);
+        assert_eq!(visible(Shows::Light, [0.25; 3], 2.0), visible(Shows::Light, [0.5; 3], 1.0));
     }
 
     #[test]
     fn exr_keeps_every_bit() {
         let pixels = vec![[1e-6, 65504.0, -0.25, 0.5], [0.1, 0.2, 0.3, 1.0]];
         let picture = Picture { width: 2, height: 1, pixels: pixels.clone() };
-        let bytes = Kind::Exr.encode(&picture, "final", 8.0).unwrap();
+        let bytes = Kind::Exr.encode(&picture, Shows::Light, 8.0).unwrap();
         let read = exr::prelude::read()
             .no_deep_data()
             .largest_resolution_level()

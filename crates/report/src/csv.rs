@@ -31,7 +31,7 @@ pub fn csv(results: &Results) -> String {
                     error.p99.to_string(),
                     error.flip.to_string(),
                     error.reference_se.to_string(),
-                    field(&row.outcome.note()),
+                    field(&row.note()),
                     String::new(),
                 ]);
             }

@@ -10,7 +10,7 @@ use std::fmt::Write;
 use self::pictures::{Pictures, ScriptStrip};
 use crate::number::{bytes, mark, mark_bytes, short};
 use crate::plot::{Plot, Point, SERIES, escape};
-use crate::results::{Device, Outcome, Results, Row};
+use crate::results::{Device, Outcome, Results};
 
 pub use stability::stability_page;
 
@@ -95,20 +95,18 @@ fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     distinct
 }
 
-fn name(row: &Row) -> String {
-    format!("{} {} {}³", row.format, row.encoding, row.resolution)
-}
-
 fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize) {
     let series = series(results);
     let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
+    let mut held_against = None;
     for row in results.rows.iter().filter(|row| (row.scene.as_str(), row.effect.as_str()) == group) {
+        held_against = row.held_against.as_deref();
         let Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } = &row.outcome else {
             continue;
         };
         let place =
             series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
-        let note = Some(row.outcome.note()).filter(|note| !note.is_empty());
+        let note = Some(row.note()).filter(|note| !note.is_empty());
         let note = note.map(|note| format!(" ({note})")).unwrap_or_default();
         let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
             list.push(Point {
@@ -116,14 +114,22 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
                 cost,
                 error: error.rmse,
                 label: row.resolution.to_string(),
-                title: format!("{}: {cost_text}, RMSE {}{note}", name(row), short(error.rmse)),
+                title: format!("{}: {cost_text}, RMSE {}{note}", row.setting(), short(error.rmse)),
             });
         };
         push(&mut by_time, *total_ms, format!("{total_ms:.2} ms"));
         push(&mut by_bytes, *volume_bytes as f64, bytes(*volume_bytes as f64));
     }
     let (scene, effect) = group;
-    let _ = write!(html, "<section>\n<h2>{}: {}</h2>\n<div class=\"plots\">", escape(scene), escape(effect));
+    let _ = write!(html, "<section>\n<h2>{}: {}</h2>\n", escape(scene), escape(effect));
+    if let Some(setting) = held_against {
+        let _ = writeln!(
+            html,
+            "<p>Held against the same effect in {}: it names no reference.</p>",
+            escape(setting)
+        );
+    }
+    html.push_str("<div class=\"plots\">");
     let time = Plot {
         cost: "time of all passes, ms",
         cost_text: mark,

@@ -35,7 +35,7 @@ pub struct Device {
 pub struct Row {
     /// The scene's name.
     pub scene: String,
-    /// `soft_shadow`, `ambient_occlusion`, `diffuse`, `specular` or `final`.
+    /// The effect's name in its pipeline, or `final`.
     pub effect: String,
     /// Storage format.
     pub format: String,
@@ -47,6 +47,9 @@ pub struct Row {
     pub width: u32,
     /// Height of the image in pixels.
     pub height: u32,
+    /// The setting whose image this one is held against; absent for the reference.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_against: Option<String>,
     /// Figures, or why there are none.
     #[serde(flatten)]
     pub outcome: Outcome,
@@ -86,14 +89,23 @@ pub struct OutOfRange {
     pub worst: f32,
 }
 
-impl Outcome {
+impl Row {
+    /// Format, encoding and resolution.
+    pub fn setting(&self) -> String {
+        format!("{} {} {}³", self.format, self.encoding, self.resolution)
+    }
+
     /// What to keep in mind about the figures; empty where there is nothing.
     pub fn note(&self) -> String {
-        let Outcome::Measured { out_of_range, error, .. } = self else { return String::new() };
+        let Outcome::Measured { out_of_range, error, .. } = &self.outcome else { return String::new() };
+        let against = self.held_against.as_ref().map(|setting| {
+            let other = if *setting == self.setting() { "itself" } else { setting };
+            format!("held against {other}")
+        });
         let clamped = out_of_range
             .map(|OutOfRange { texels, worst }| format!("{texels} texels clamped (worst value {worst})"));
         let noise = error.note().map(|note| note.to_string());
-        clamped.into_iter().chain(noise).collect::<Vec<_>>().join("; ")
+        against.into_iter().chain(clamped).chain(noise).collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -167,6 +179,7 @@ pub(crate) mod tests {
             resolution: 64,
             width: 32,
             height: 16,
+            held_against: None,
             outcome: Outcome::Measured {
                 passes: vec![Pass {
                     name: "voxelize".into(),

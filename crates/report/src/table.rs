@@ -41,7 +41,7 @@ pub fn table(results: &Results) -> String {
         let note = match &row.outcome {
             Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } => {
                 cells.extend(figures(*total_ms, *volume_bytes, error));
-                row.outcome.note()
+                row.note()
             }
             Outcome::Failed { fault } => format!("failed: {}", fault.lines().next().unwrap_or_default()),
         };

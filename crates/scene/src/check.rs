@@ -1,6 +1,6 @@
 //! Whether a scene is what [`Scene`] promises, wherever it comes from.
 
-use glam::{DVec3, Vec4Swizzles};
+use glam::{DVec3, Vec3, Vec4Swizzles};
 use voxlume_fault::{Fault, Faults};
 
 use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};

@@ -146,9 +146,9 @@ pub use voxlume_format::{
 pub use voxlume_graph::{
     Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,
     Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind,
-    Pipeline, Plan, Port, ProbeSize, Program, Registry, Request, Resource, ResourceKind, Run, SceneFacts,
-    Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value, Values, Vertices,
-    check_variant, explain, plan, probe, screen_image,
+    Pipeline, Plan, Port, ProbeSize, Program, Reference, Registry, Request, Resource, ResourceKind, Run,
+    SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value, Values,
+    Vertices, check_variant, explain, plan, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -7,9 +7,9 @@ use std::time::Instant;
 use voxlume::{Fault, Gpu, Passes, Renderer};
 use voxlume_measure::outfile::{self, OutFile};
 use voxlume_measure::picture::Kind;
-use voxlume_measure::{Frames, Progress as _};
+use voxlume_measure::{Frames, Progress as _, shows};
 
-use super::{Args, channel_shown, report};
+use super::{Args, report};
 use crate::Registry;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -118,9 +118,9 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
 
         let image = &renderer.plan().resources[renderer.plan().output].name;
         let picture = renderer.picture(image)?;
-        let shown = channel_shown(&pipeline, args, image);
+        let shows = shows(&pipeline, &args.image.plan.set, image);
         let encode = |(kind, pattern): &(Kind, Pattern)| {
-            Ok((OutFile::new(&pattern.path(number))?, kind.encode(&picture, &shown, args.exposure.exp2())?))
+            Ok((OutFile::new(&pattern.path(number))?, kind.encode(&picture, shows, args.exposure.exp2())?))
         };
         outfile::write(&patterns.iter().map(encode).collect::<Result<Vec<_>, Failure>>()?)?;
     }

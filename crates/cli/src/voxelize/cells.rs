@@ -2,6 +2,7 @@
 
 use voxlume::Renderer;
 
+use voxlume_measure::channel_shows;
 use voxlume_measure::picture::visible;
 
 use crate::failure::Failure;
@@ -39,7 +40,7 @@ impl Cells {
         let list = cells[run.clone()].iter().zip(shown[run.start * 4..run.end * 4].chunks_exact(4));
         let list = list.map(|(cell, shown)| Cell {
             place: [cell & 1023, cell >> 10 & 1023, cell >> 20],
-            color: visible(channel, [0, 1, 2].map(|i| f32::from_bits(shown[i])), scale),
+            color: visible(channel_shows(channel), [0, 1, 2].map(|i| f32::from_bits(shown[i])), scale),
             normal: normal(shown[3]),
         });
         Ok(Cells { level, list: list.collect() })

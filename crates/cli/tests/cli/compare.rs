@@ -154,3 +154,118 @@ fn a_reference_is_written_with_its_error() {
         "loading box.ron\nerror: unknown camera `top`\n = one of: front, side",
     );
 }
+
+/// An effect from outside the repository: how much lies behind a surface.
+const THICKNESS: &str =
+    "import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
+import package::common::surface::Surface;
+
+struct Params {
+    /// How far the cone looks, voxels, (0, 1000].
+    depth: f32,
+}
+
+fn effect(surface: Surface, params: Params) -> vec4f {
+    let inwards = -surface.normal_geometric;
+    let cone = surface_cone(surface.position_voxel, inwards, inwards, 0.3, params.depth, 1.0);
+    return vec4f(vec3f(cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0).a), 1.0);
+}
+";
+
+fn with_thickness(words: &str) -> Folder {
+    let folder = Folder::new();
+    folder.file("thickness.wgsl", THICKNESS);
+    let entry = format!(
+        "passes: [
+        (run: \"thickness.wgsl\", name: \"depth_of_wall\", reads: [\"surface\", \"volume\"], writes: [\"thickness\"], {words} params: (depth: 12)),"
+    );
+    folder.edit("own.ron", include_str!("../../../../pipelines/gi.ron"), "passes: [", &entry);
+    folder
+}
+
+#[test]
+fn an_effect_without_a_reference_is_held_against_itself_at_its_finest() {
+    let folder = with_thickness("shows: \"share\",");
+    let ran = folder.run(&format!(
+        "compare {CORNELL} --size 32x32 --spp 4 --repeat 1 --pipeline own.ron --formats six_face,isotropic --resolutions 48,32 \
+         --effects depth_of_wall --out out"
+    ));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let rows = rows(&folder);
+    assert_eq!(rows.len(), 4);
+    for row in &rows {
+        assert_eq!(
+            (&row["effect"], &row["held_against"]),
+            (&"depth_of_wall".into(), &"six_face rgba16float 48³".into())
+        );
+        let itself = row["format"] == "six_face" && row["resolution"] == 48;
+        let [rmse, flip] = ["rmse", "flip"].map(|figure| row["error"][figure].as_f64().unwrap());
+        assert_eq!((rmse == 0.0, flip == 0.0), (itself, itself), "{row}");
+    }
+    assert_eq!(ran.stdout.matches("held against itself").count(), 1, "{}", ran.stdout);
+    assert_eq!(ran.stdout.matches("held against six_face rgba16float 48³").count(), 3, "{}", ran.stdout);
+    assert!(
+        text(&folder, "out/report.html")
+            .contains("<p>Held against the same effect in six_face rgba16float 48³:")
+    );
+    // No path was traced.
+    assert!(
+        !folder.path().join("out/cache").exists() && !ran.stderr.contains("reference of"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn an_entry_says_how_its_image_is_shown_and_what_it_is_held_against() {
+    let brightest = |words: &str| {
+        let folder = with_thickness(words);
+        let size = "--size 32x32 --resolution 32 --pipeline own.ron --output thickness";
+        let ran = folder.run(&format!("render {CORNELL} {size} -o a.png -o a.exr"));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let png = image::open(folder.path().join("a.png")).unwrap().into_rgb8();
+        png.pixels().map(|pixel| pixel[0]).max().unwrap()
+    };
+    // A share of 1 is white; light of 1 is tone-mapped to 0.53, sRGB 192.
+    let [share, light] = [brightest("shows: \"share\","), brightest("")];
+    assert!(share > 250 && light < 200, "{share} {light}");
+
+    let folder = with_thickness("shows: \"share\", reference: \"ambient_occlusion\",");
+    let more = "--effects depth_of_wall,diffuse --pipeline own.ron";
+    let ran = compare(&folder, more);
+    assert_eq!(ran.code, Some(1));
+    let rows = rows(&folder);
+    let fault = rows[0]["fault"].as_str().unwrap();
+    assert!(fault.contains("pass `depth_of_wall` has no number `distance` or `falloff`"), "{fault}");
+    assert!(fault.contains("own.ron:10:"), "{fault}");
+    assert!(rows[1]["error"]["rmse"].is_f64() && rows[1]["held_against"].is_null());
+
+    let folder = with_thickness("shows: \"share\", reference: \"soft_shadow\",");
+    let ran = compare(&folder, "--effects depth_of_wall,soft_shadow --pipeline own.ron");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let rows = self::rows(&folder);
+    // Both against one picture.
+    assert_eq!(rows[0]["error"]["reference_se"], rows[1]["error"]["reference_se"]);
+    assert_eq!(ran.stderr.matches("reference of").count(), 1, "{}", ran.stderr);
+    folder.refuses(
+        "compare box.ron --effects thickness --pipeline own.ron --out out",
+        "loading
+error: unknown effect `thickness`
+ = one of: depth_of_wall, soft_shadow, ambient_occlusion, diffuse, specular, final, or all",
+    );
+}
+
+#[test]
+fn two_images_of_one_name() {
+    let folder = with_thickness("");
+    folder.edit("two.ron", &text(&folder, "own.ron"), "name: \"depth_of_wall\"", "name: \"final\"");
+    folder.refuses(
+        "compare box.ron --pipeline two.ron --out out",
+        "loading
+error: two images would be compared as `final`
+   ┌─ two.ron:73:18
+   │
+73 │             run: \"composite\",
+   │                  ^^^^^^^^^^^ the second; give the effect another `name`",
+    );
+}

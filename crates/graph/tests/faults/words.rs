@@ -250,3 +250,32 @@ fn grid_and_method() {
         assert!(text.contains(told), "{params}: {text}");
     }
 }
+
+#[test]
+fn shows() {
+    assert_snapshot!(message(&[(r#"writes: ["diffuse"]"#, r#"writes: ["diffuse"], shows: "lihgt""#)]), @r#"
+    error: `shows` can't be `lihgt`
+       ┌─ p.ron:30:41
+       │
+    30 │             writes: ["diffuse"], shows: "lihgt",
+       │                                         ^^^^^^^ did you mean `light`? one of: share, light, normal, albedo
+    "#);
+    assert_snapshot!(message(&[(r#"writes: ["surface"]"#, r#"writes: ["surface"], shows: "normal""#)]), @r#"
+    error: pass `gbuffer` makes no image that `shows` could describe
+       ┌─ p.ron:26:54
+       │
+    26 │         (run: "gbuffer", writes: ["surface"], shows: "normal"),
+       │                                                      ^^^^^^^^ only a pass that makes an image for the screen has it
+    "#);
+}
+
+#[test]
+fn reference() {
+    assert_snapshot!(message(&[(r#"writes: ["diffuse"]"#, r#"writes: ["diffuse"], reference: "irradiance""#)]), @r#"
+    error: `reference` can't be `irradiance`
+       ┌─ p.ron:30:45
+       │
+    30 │             writes: ["diffuse"], reference: "irradiance",
+       │                                             ^^^^^^^^^^^^ one of: soft_shadow, ambient_occlusion, diffuse, specular, final
+    "#);
+}

@@ -1,5 +1,6 @@
 //! The cells of a sweep.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use voxlume::{Camera, Encoding, Fault, Faults, Grid, Request, Scene, SceneFacts, check_variant, one_of};
@@ -22,41 +23,100 @@ pub struct Subject {
     pub facts: SceneFacts,
     /// The eye.
     pub camera: Camera,
+    /// Whether emissive polygons are lights of their own.
+    area_lights: bool,
 }
 
-/// One comparison.
-#[derive(Clone, Debug)]
-pub struct Cell {
-    /// In the list of subjects.
-    pub subject: usize,
-    pub effect: Effect,
+/// How voxels are stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
     pub format: String,
     pub encoding: String,
     pub resolution: u32,
 }
 
-impl Cell {
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}³", self.format, self.encoding, self.resolution)
+    }
+}
+
+/// One comparison.
+#[derive(Clone, Debug)]
+pub struct Cell<'p> {
+    /// In the list of subjects.
+    pub subject: usize,
+    pub effect: Effect<'p>,
+    pub setting: Setting,
+}
+
+/// All comparisons.
+pub struct Cells<'p> {
+    pub subjects: Vec<Subject>,
+    pub cells: Vec<Cell<'p>>,
+    /// What effects without a reference are held against: the first format and encoding at the finest resolution.
+    pub finest: Setting,
+}
+
+impl Cell<'_> {
     /// The stem of its files.
     pub fn stem(&self, subjects: &[Subject]) -> String {
-        let Cell { subject, effect, format, encoding, resolution } = self;
-        let label = &subjects[*subject].label;
+        let Setting { format, encoding, resolution } = &self.setting;
+        let label = &subjects[self.subject].label;
         // Options have characters that files' names can't have everywhere.
         let [format, encoding] = [format, encoding].map(|word| word.replace(':', "+"));
-        format!("{label}-{}-{format}-{encoding}-{resolution}", effect.name())
+        format!("{label}-{}-{format}-{encoding}-{resolution}", self.effect.name)
     }
 }
 
 /// Loads the scenes, and finds out which cells there are.
-pub fn cells(sweep: &Sweep<'_>) -> Result<(Vec<Subject>, Vec<Cell>), Error> {
+pub fn cells<'p>(sweep: &Sweep<'p>) -> Result<Cells<'p>, Error> {
     let mut faults = Faults::default();
-    let Sweep { registry, pipeline, .. } = sweep;
-    let known = &registry.formats;
+    let variants = variants(sweep, &mut faults);
+    let effects = effects(sweep, &mut faults);
+    let resolutions = resolutions(sweep, &mut faults);
+    let subjects = subjects(sweep, &mut faults);
+    if !faults.is_empty() {
+        return Err(faults.into());
+    }
+    let Some((variant, resolution)) = variants.first().zip(resolutions.iter().max()) else {
+        return Err(Fault::new("nothing to compare: no format, encoding or resolution").into());
+    };
+    let setting = |(format, encoding): &(String, String), resolution: u32| Setting {
+        format: format.clone(),
+        encoding: encoding.clone(),
+        resolution,
+    };
+    let finest = setting(variant, *resolution);
+    let mut cells = Vec::new();
+    for (subject, Subject { facts, area_lights, .. }) in subjects.iter().enumerate() {
+        let there = |effect: &&Effect<'_>| {
+            effect.entry.when.as_ref().is_none_or(|when| facts.meets(&when.value, *area_lights))
+        };
+        for &effect in effects.iter().filter(there) {
+            for variant in &variants {
+                let cell = |&resolution| Cell { subject, effect, setting: setting(variant, resolution) };
+                cells.extend(resolutions.iter().map(cell));
+            }
+        }
+    }
+    if cells.is_empty() {
+        let fault = Fault::new("nothing to compare: no scene and the pipeline have one of these effects");
+        return Err(fault.note(one_of(effects.iter().map(|effect| effect.name))).into());
+    }
+    Ok(Cells { subjects, cells, finest })
+}
+
+/// Formats and encodings, each with each.
+fn variants(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<(String, String)> {
+    let Sweep { pipeline, .. } = sweep;
+    let known = &sweep.registry.formats;
     let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &sweep.formats, &names, &mut faults);
+    let formats = words("storage format", &sweep.formats, &names, faults);
     let encodings = if sweep.encodings.is_empty() {
         vec![pipeline.encoding.value.clone()]
     } else {
-        words("encoding", &sweep.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
+        words("encoding", &sweep.encodings, &Encoding::ALL.map(Encoding::name), faults)
     };
     if faults.is_empty() {
         for format in &formats {
@@ -66,59 +126,45 @@ pub fn cells(sweep: &Sweep<'_>) -> Result<(Vec<Subject>, Vec<Cell>), Error> {
             faults.gather(check_variant(pipeline, known, names[0], encoding));
         }
     }
-    let all_effects = Effect::ALL.map(Effect::name);
-    let effects = words("effect", &sweep.effects, &all_effects, &mut faults);
-    let effects: Vec<Effect> =
-        Effect::ALL.into_iter().filter(|effect| effects.iter().any(|word| word == effect.name())).collect();
+    let with = |format: &String| {
+        let format = format.clone();
+        encodings.iter().map(move |encoding| (format.clone(), encoding.clone())).collect::<Vec<_>>()
+    };
+    formats.iter().flat_map(with).collect()
+}
+
+/// The effects asked for, in the order of the pipeline's file.
+fn effects<'p>(sweep: &Sweep<'p>, faults: &mut Faults) -> Vec<Effect<'p>> {
+    let all = Effect::all(sweep.pipeline);
+    let names: Vec<&str> = all.iter().map(|effect| effect.name).collect();
+    for (index, effect) in all.iter().enumerate().filter(|(i, effect)| names[..*i].contains(&effect.name)) {
+        let message = format!("two images would be compared as `{}`", names[index]);
+        faults.push(sweep.pipeline.fault(
+            &effect.entry.run.span,
+            message,
+            "the second; give the effect another `name`",
+        ));
+    }
+    let asked = words("effect", &sweep.effects, &names, faults);
+    all.into_iter().filter(|effect| asked.iter().any(|word| word == effect.name)).collect()
+}
+
+/// The resolutions asked for, each once.
+fn resolutions(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<u32> {
     let mut resolutions: Vec<u32> = Vec::new();
     for &resolution in &sweep.resolutions {
-        if Grid::RESOLUTIONS.contains(&resolution) {
-            if !resolutions.contains(&resolution) {
-                resolutions.push(resolution);
-            }
-            continue;
-        }
-        let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
-        faults.push(fault.note(Grid::resolution_range()));
-    }
-    let subjects = subjects(sweep, &mut faults);
-    let [width, height] = sweep.size;
-    for subject in &subjects {
-        // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request { tracer: sweep.tracer.clone(), ..Request::image(width, height) };
-        faults.gather(voxlume::plan(pipeline, &subject.facts, registry, &request));
-    }
-    if !faults.is_empty() {
-        return Err(faults.into());
-    }
-
-    let mut cells = Vec::new();
-    for (subject, Subject { facts, .. }) in subjects.iter().enumerate() {
-        for &effect in &effects {
-            if !effect.applies(facts) || effect.image(pipeline).is_none() {
-                continue;
-            }
-            for format in &formats {
-                for encoding in &encodings {
-                    cells.extend(resolutions.iter().map(|&resolution| Cell {
-                        subject,
-                        effect,
-                        format: format.clone(),
-                        encoding: encoding.clone(),
-                        resolution,
-                    }));
-                }
-            }
+        if !Grid::RESOLUTIONS.contains(&resolution) {
+            let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
+            faults.push(fault.note(Grid::resolution_range()));
+        } else if !resolutions.contains(&resolution) {
+            resolutions.push(resolution);
         }
     }
-    if cells.is_empty() {
-        let fault = Fault::new("nothing to compare: no scene and the pipeline have one of these effects");
-        return Err(fault.note(one_of(effects.iter().map(|effect| effect.name()))).into());
-    }
-    Ok((subjects, cells))
+    resolutions
 }
 
 fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
+    let [width, height] = sweep.size;
     let mut subjects: Vec<Subject> = Vec::new();
     for (path, label) in sweep.scenes.iter().zip(labels(&sweep.scenes)) {
         if subjects.iter().any(|subject| subject.label == label) {
@@ -128,8 +174,12 @@ fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
         let Some(scene) = faults.gather(Scene::load(path)) else { continue };
         let Some(camera) = faults.gather(scene.camera(sweep.camera.as_deref()).cloned()) else { continue };
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
+        // What is wrong with the pipeline or the size is so in every cell.
+        let request = Request { tracer: sweep.tracer.clone(), ..Request::image(width, height) };
+        let plan = faults.gather(voxlume::plan(sweep.pipeline, &facts, sweep.registry, &request));
+        let area_lights = plan.is_some_and(|plan| plan.area_lights);
         let digest = SceneDigest::of(&scene);
-        subjects.push(Subject { label, scene, digest, facts, camera });
+        subjects.push(Subject { label, scene, digest, facts, camera, area_lights });
     }
     subjects
 }

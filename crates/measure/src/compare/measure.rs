@@ -46,9 +46,13 @@ pub fn measure(
         renderer.bytes().iter().filter(|(name, _)| is_volume(name)).map(|(_, bytes)| bytes).sum();
     let clamped = renderer.out_of_range()?;
     let out_of_range = clamped.map(|clamped| OutOfRange { texels: clamped.values, worst: clamped.worst });
-    // Depth is reversed: 0 is infinitely far.
-    let surface = renderer.picture("depth")?.pixels.iter().map(|pixel| pixel[0] > 0.0).collect();
     let picture = renderer.picture(&plan.resources[plan.output].name)?;
+    let surface = match plan.resource("depth") {
+        // Depth is reversed: 0 is infinitely far.
+        Some(_) => renderer.picture("depth")?.pixels.iter().map(|pixel| pixel[0] > 0.0).collect(),
+        // A plan that doesn't draw the scene has no other pixels.
+        None => vec![true; picture.pixels.len()],
+    };
     let (passes, total_ms) = (frames.passes(), frames.total().0);
     Ok(Measured { picture, surface, passes, total_ms, volume_bytes, out_of_range })
 }

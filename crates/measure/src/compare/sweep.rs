@@ -4,15 +4,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use voxlume::{Gpu, Plan, Request};
 use voxlume_reference::cache::Key;
-use voxlume_reference::{Error as TracerError, PixelSampling, Reflection};
+use voxlume_reference::{PixelSampling, Reflection};
 use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, utc_now};
 
 use super::Sweep;
-use super::cell::{Cell, Subject, cells};
+use super::cell::{Cell, Cells, Setting, Subject, cells};
 use super::folder::{Finished, Folder, Pictures};
 use super::measure::measure;
 use super::report::judge;
-use super::truth::Truths;
+use super::truth::{Last, References, Truth};
 use crate::effect::bounces;
 use crate::{Error, Progress, describe};
 
@@ -20,52 +20,54 @@ use crate::{Error, Progress, describe};
 struct Run<'a> {
     sweep: &'a Sweep<'a>,
     subjects: Vec<Subject>,
+    finest: Setting,
     folder: Folder,
-    truths: Truths,
+    references: References,
+    last: Last,
     gpu: Gpu,
     progress: &'a mut dyn Progress,
     stop: &'a AtomicBool,
 }
 
-/// What became of a cell.
-enum End {
-    Finished(Box<Finished>),
-    Interrupted,
+/// How the image comes about that a cell is held against.
+enum Against {
+    Traced(Box<voxlume_reference::Request>),
+    Rendered(Box<Plan>),
 }
 
 /// Runs all cells and writes the report.
 pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) -> Result<Results, Error> {
-    let (subjects, cells) = cells(sweep)?;
+    let Cells { subjects, cells, finest } = cells(sweep)?;
     let folder = Folder::new(&sweep.folder)?;
     let gpu = Gpu::open(sweep.adapter.as_deref())?;
     let device = describe(&gpu.info);
-    let truths = Truths::new(&folder.cache());
-    let mut run = Run { sweep, subjects, folder, truths, gpu, progress, stop };
+    let references = References::new(&folder.cache());
+    let last = Last::default();
+    let mut run = Run { sweep, subjects, finest, folder, references, last, gpu, progress, stop };
 
     let mut results = Results { schema: SCHEMA, device, rows: Vec::new() };
     let mut pictures = Vec::new();
     for (number, cell) in cells.iter().enumerate() {
+        let interrupted = Error::Interrupted { finished: number, all: cells.len() };
+        if stop.load(Ordering::Relaxed) {
+            return Err(interrupted);
+        }
         let stem = cell.stem(&run.subjects);
         let place = format!("cell {}/{}: {stem}", number + 1, cells.len());
-        let outcome = match if stop.load(Ordering::Relaxed) {
-            Ok(End::Interrupted)
-        } else {
-            run.cell(cell, &stem, &place)
-        } {
-            Ok(End::Interrupted) => {
-                return Err(Error::Interrupted { finished: results.rows.len(), all: cells.len() });
-            }
-            Ok(End::Finished(finished)) => {
-                pictures.push((results.rows.len(), finished.pictures));
+        match run.cell(cell, &stem, &place) {
+            Ok(finished) => {
+                pictures.push((number, finished.pictures));
                 results.rows.push(finished.row);
-                continue;
             }
-            Err(failure) => Outcome::Failed { fault: failure.to_string() },
-        };
-        results.rows.push(run.row(cell, outcome));
-        // Later cells get a device that works.
-        if run.gpu.check().is_err() {
-            run.gpu = Gpu::open(sweep.adapter.as_deref())?;
+            // The reference was stopped amid its samples.
+            Err(_) if stop.load(Ordering::Relaxed) => return Err(interrupted),
+            Err(error) => {
+                results.rows.push(run.row(cell, Outcome::Failed { fault: error.to_string() }));
+                // Later cells get a device that works.
+                if run.gpu.check().is_err() {
+                    run.gpu = Gpu::open(sweep.adapter.as_deref())?;
+                }
+            }
         }
     }
     run.write(&results, &pictures)?;
@@ -74,34 +76,31 @@ pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
 
 impl Run<'_> {
     /// A cell as it lies in the folder, or else made now and put there.
-    fn cell(&mut self, cell: &Cell, stem: &str, place: &str) -> Result<End, Error> {
-        let plan = self.plan(cell)?;
+    fn cell(&mut self, cell: &Cell<'_>, stem: &str, place: &str) -> Result<Finished, Error> {
+        let plan = self.plan(cell, &cell.setting)?;
+        let against = self.against(cell, &plan)?;
         let subject = &self.subjects[cell.subject];
-        let bounces = bounces(self.sweep.pipeline);
-        let request = voxlume_reference::Request {
-            camera: subject.camera.clone(),
-            width: self.sweep.size[0],
-            height: self.sweep.size[1],
-            samples: self.sweep.samples,
-            seed: 0,
-            sampling: PixelSampling::Centre,
-            quantity: cell.effect.quantity(self.sweep.pipeline, &plan, &subject.scene, bounces)?,
-            reflection: Reflection::Gltf,
+        let truth_key = match &against {
+            Against::Traced(request) => Key::new(&subject.digest, request).to_hex(),
+            Against::Rendered(plan) => self.key(cell, plan, "rendered"),
         };
-        let truth_key = Key::new(&subject.digest, &request).to_hex();
-        let key = self.key(&plan, &truth_key);
+        let key = self.key(cell, &plan, &truth_key);
         if let Some(finished) = self.folder.finished(stem, &key) {
             self.progress.repeated(format!("{place} is there"));
-            return Ok(End::Finished(Box::new(finished)));
+            return Ok(finished);
         }
-        let truth = match self.truths.get(&self.subjects, cell.subject, &request, self.progress, self.stop) {
-            Ok(truth) => truth,
-            Err(TracerError::Cancelled) => return Ok(End::Interrupted),
-            Err(error) => return Err(Error::work(error.to_string())),
-        };
+        let truth = self.last.or_make(&truth_key, || match against {
+            Against::Traced(request) => {
+                self.references.get((cell.subject, subject), &request, self.progress, self.stop)
+            }
+            Against::Rendered(plan) => {
+                let measured = measure(&self.gpu, *plan, &subject.scene, &subject.camera, 0)?;
+                Ok(Truth::rendered(&measured, cell.effect.shows))
+            }
+        })?;
         self.progress.stage(place.to_owned());
         let measured = measure(&self.gpu, plan, &subject.scene, &subject.camera, self.sweep.repeat)?;
-        let judged = judge(cell.effect, &measured, truth)?;
+        let judged = judge(&cell.effect, &measured, truth)?;
         let outcome = Outcome::Measured {
             passes: measured.passes,
             total_ms: measured.total_ms,
@@ -109,7 +108,7 @@ impl Run<'_> {
             out_of_range: measured.out_of_range,
             error: judged.errors,
         };
-        let reference = format!("{}-{}-reference-{}", subject.label, cell.effect.name(), &truth_key[..8]);
+        let reference = format!("{}-{}-reference-{}", subject.label, cell.effect.name, &truth_key[..8]);
         let names = [
             format!("{stem}.png"),
             format!("{stem}.exr"),
@@ -125,16 +124,16 @@ impl Run<'_> {
         };
         let finished = Finished { key, row: self.row(cell, outcome), pictures };
         self.folder.finish(stem, &finished, names.into_iter().zip(judged.files).collect())?;
-        Ok(End::Finished(Box::new(finished)))
+        Ok(finished)
     }
 
-    fn plan(&self, cell: &Cell) -> Result<Plan, Error> {
+    fn plan(&self, cell: &Cell<'_>, setting: &Setting) -> Result<Plan, Error> {
         let request = Request {
-            format: Some(cell.format.clone()),
-            encoding: Some(cell.encoding.clone()),
+            format: Some(setting.format.clone()),
+            encoding: Some(setting.encoding.clone()),
             tracer: self.sweep.tracer.clone(),
-            resolution: Some(cell.resolution),
-            output: cell.effect.image(self.sweep.pipeline).map(str::to_owned),
+            resolution: Some(setting.resolution),
+            output: Some(cell.effect.image.to_owned()),
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(self.sweep.size[0], self.sweep.size[1])
         };
@@ -142,32 +141,56 @@ impl Run<'_> {
         voxlume::plan(self.sweep.pipeline, facts, self.sweep.registry, &request).map_err(Error::from)
     }
 
-    /// Hash of everything that decides a cell: the program, the device, the reference, and the plan with its shaders.
-    fn key(&self, plan: &Plan, truth_key: &str) -> String {
+    /// The path tracer's picture of the effect's quantity; without one, the effect in the finest setting.
+    fn against(&self, cell: &Cell<'_>, plan: &Plan) -> Result<Against, Error> {
+        let Sweep { pipeline, size: [width, height], samples, .. } = *self.sweep;
+        let subject = &self.subjects[cell.subject];
+        let quantity = cell.effect.quantity(pipeline, plan, &subject.scene, bounces(pipeline))?;
+        let Some(quantity) = quantity else {
+            return Ok(Against::Rendered(Box::new(self.plan(cell, &self.finest)?)));
+        };
+        Ok(Against::Traced(Box::new(voxlume_reference::Request {
+            camera: subject.camera.clone(),
+            width,
+            height,
+            samples,
+            seed: 0,
+            sampling: PixelSampling::Centre,
+            quantity,
+            reflection: Reflection::Gltf,
+        })))
+    }
+
+    /// Hash of everything that decides a cell: the program, the device, the scene, what it is held against, and the plan with
+    /// its shaders.
+    fn key(&self, cell: &Cell<'_>, plan: &Plan, truth_key: &str) -> String {
         let device = describe(&self.gpu.info);
+        let Subject { digest, camera, .. } = &self.subjects[cell.subject];
         let Plan { format, encoding, grid, screen, passes, resources, shaders, .. } = plan;
         let mut hash = blake3::Hasher::new();
         let mut part = |text: &str| {
             hash.update(&(text.len() as u64).to_le_bytes());
             hash.update(text.as_bytes());
         };
-        part(concat!("cell 1 of voxlume ", env!("CARGO_PKG_VERSION")));
-        part(&format!("{device:?} {}", self.sweep.repeat));
+        part(concat!("cell 2 of voxlume ", env!("CARGO_PKG_VERSION")));
+        part(&format!("{device:?} {} {digest:?} {camera:?} {:?}", self.sweep.repeat, cell.effect.shows));
         part(truth_key);
         part(&format!("{format} {encoding:?} {grid:?} {screen:?} {passes:?} {resources:?}"));
         shaders.iter().for_each(|shader| part(&shader.wgsl));
         hash.finalize().to_hex().to_string()
     }
 
-    fn row(&self, cell: &Cell, outcome: Outcome) -> Row {
+    fn row(&self, cell: &Cell<'_>, outcome: Outcome) -> Row {
+        let Setting { format, encoding, resolution } = cell.setting.clone();
         Row {
             scene: self.subjects[cell.subject].label.clone(),
-            effect: cell.effect.name().to_owned(),
-            format: cell.format.clone(),
-            encoding: cell.encoding.clone(),
-            resolution: cell.resolution,
+            effect: cell.effect.name.to_owned(),
+            format,
+            encoding,
+            resolution,
             width: self.sweep.size[0],
             height: self.sweep.size[1],
+            held_against: cell.effect.reference.is_none().then(|| self.finest.to_string()),
             outcome,
         }
     }

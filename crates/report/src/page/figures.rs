@@ -37,7 +37,7 @@ pub(super) fn table(html: &mut String, results: &Results) {
                     let value = value.map(|value| value.to_string()).unwrap_or_default();
                     let _ = write!(html, "<td data-value=\"{value}\">{}</td>", escape(text));
                 }
-                let note = row.outcome.note();
+                let note = row.note();
                 let _ = write!(html, "<td>{}</td>", escape(&note));
             }
             Outcome::Failed { fault } => {

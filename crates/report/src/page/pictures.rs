@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Serialize;
 
-use super::{Strip, name};
+use super::Strip;
 use crate::number::short;
 use crate::results::Row;
 
@@ -36,7 +36,7 @@ impl Pictures {
 
     pub(super) fn script(&mut self, strip: &Strip, row: &Row) -> ScriptStrip {
         ScriptStrip {
-            name: name(row),
+            name: row.setting(),
             image: self.add(&strip.image),
             reference: self.add(&strip.reference),
             error: self.add(&strip.error),
