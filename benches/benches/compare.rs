@@ -9,8 +9,9 @@ use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
 
 use voxlume::Pipeline;
+use voxlume::Registry;
+use voxlume_measure::Progress;
 use voxlume_measure::compare::Sweep;
-use voxlume_measure::{Progress, Registry};
 use voxlume_report::{Results, against, table};
 
 const FOLDER: &str = "target/bench/compare";
@@ -58,6 +59,7 @@ fn run(save: bool) -> Result<(), Box<dyn Error>> {
         scenes: ["scenes/cornell.ron", "scenes/lights.ron"].map(Into::into).to_vec(),
         camera: None,
         formats: vec!["all".into()],
+        tracer: None,
         encodings: Vec::new(),
         resolutions: vec![64, 128],
         effects: vec!["all".into()],

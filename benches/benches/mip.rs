@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use voxlume::{
-    Formats, Gpu, Library, Passes, Pipeline, Plan, Renderer, Request, Scene, SceneFacts, Value, plan,
+    Formats, Gpu, Passes, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts, Value, plan,
 };
 
 const FRAMES: usize = 7;
@@ -35,7 +35,7 @@ fn main() {
                 ..Request::image(8, 8)
             };
             let facts = SceneFacts::of(&scene).expect("checked as it was loaded");
-            let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request);
+            let plan = plan(&pipeline, &facts, &Registry::builtin(), &request);
             median(&gpu, split(plan.expect("a plan")), &scene)
         };
         let (active, all) = (time("active"), time("all"));

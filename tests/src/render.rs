@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use voxlume::{Formats, Gpu, Library, Passes, Picture, Pipeline, Plan, Renderer, Request, Scene, SceneFacts};
+use voxlume::{Gpu, Passes, Picture, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts};
 
 /// The repository's root.
 pub fn root() -> PathBuf {
@@ -34,8 +34,7 @@ pub fn gi() -> Pipeline {
 /// The pipeline or the request is at fault.
 pub fn plan_for(pipeline: &Pipeline, scene: &Scene, request: &Request) -> Plan {
     let facts = SceneFacts::of(scene).unwrap_or_else(|faults| panic!("{faults}"));
-    voxlume::plan(pipeline, &facts, &Formats::builtin(), &Library::builtin(), request)
-        .unwrap_or_else(|faults| panic!("{faults}"))
+    voxlume::plan(pipeline, &facts, &Registry::builtin(), request).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
 /// Renders one frame from the scene's first camera.

@@ -4,10 +4,11 @@
 use voxlume::{Formats, Pipeline, Request, Value};
 use voxlume_tests::{built_in, picture, render, root};
 
-/// How thick what is behind the surface is: a cone into it, through the shared tracer.
+/// How thick what is behind the surface is: a trace into it.
 const THICKNESS: &str = "
-import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
 import package::common::surface::Surface;
+import package::common::trace::{Apex, reach_of};
+import package::tracer::trace::trace_opacity;
 
 struct Params {
     /// Full angle of the cone, (0, 3.1416].
@@ -18,9 +19,9 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let cone = surface_cone(surface.position_voxel, inwards, inwards, sin(params.aperture / 2.0), params.depth, 1.0);
-    let value = cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0);
-    return vec4f(vec3f(value.a), 1.0);
+    let apex = Apex(surface.position_voxel, inwards, 1.0);
+    let opacity = trace_opacity(apex, inwards, sin(params.aperture / 2.0), reach_of(params.depth), 0.0);
+    return vec4f(vec3f(opacity), 1.0);
 }
 ";
 

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use glam::{Vec3, vec3};
-use voxlume::{Formats, Library, Pipeline, Request, Scene, SceneFacts};
+use voxlume::{Formats, Pipeline, Registry, Request, Scene, SceneFacts};
 use voxlume_tests::{picture, render, root, scene_of, triangles};
 
 fn pipeline() -> (tempfile::TempDir, Pipeline) {
@@ -60,11 +60,11 @@ fn a_bent_normal_is_the_normal_in_the_open_and_leans_away_from_a_wall() {
 fn the_page_shows_the_fault_as_it_is() {
     let (folder, _) = pipeline();
     let file = folder.path().join("bent_normal.ron");
-    let text = std::fs::read_to_string(&file).unwrap().replace("step: 1.0, distance", "step: 2.0, distance");
+    let text = std::fs::read_to_string(&file).unwrap().replace("distance: 0.25", "distance: 3.0");
     std::fs::write(&file, text).unwrap();
     let facts = SceneFacts::of(&scene(false)).unwrap();
     let (pipeline, request) = (Pipeline::load(&file).unwrap(), Request::image(8, 8));
-    let faults = voxlume::plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request);
+    let faults = voxlume::plan(&pipeline, &facts, &Registry::builtin(), &request);
     let told = faults.unwrap_err().to_string().replace(folder.path().to_str().unwrap(), "write-an-effect");
     let page = std::fs::read_to_string(root().join("book/src/write-an-effect/fault.txt")).unwrap();
     assert_eq!(told.trim(), page.trim());

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use voxlume::{
-    Bundle, Expansion, Formats, ImageTexel, Kinds, Library, Over, PassKind, Passes, Pipeline, Port, Renderer,
-    Request, ResourceKind, SceneFacts, Sort, Source, Target, plan_with, screen_image,
+    Bundle, Expansion, ImageTexel, Over, PassKind, Passes, Pipeline, Port, Registry, Renderer, Request,
+    ResourceKind, SceneFacts, Sort, Source, Target, plan, screen_image,
 };
 use voxlume_tests::{built_in, gpu, picture, root};
 
@@ -88,24 +88,21 @@ fn exposing() -> Pipeline {
 #[test]
 fn a_kind_of_pass_from_another_crate_runs_with_every_format() {
     // ANCHOR: use
-    let mut kinds = Kinds::builtin();
-    kinds.add(Expose);
-    let mut library = Library::builtin();
-    library.insert("expose/sum", Source::new("sum.wgsl", SUM));
-    library.insert("expose/scale", Source::new("scale.wgsl", SCALE));
+    let mut registry = Registry::builtin();
+    registry.kinds.add(Expose);
+    registry.library.insert("expose/sum", Source::new("sum.wgsl", SUM));
+    registry.library.insert("expose/scale", Source::new("scale.wgsl", SCALE));
     // ANCHOR_END: use
     let scene = built_in("cornell.ron");
     let facts = SceneFacts::of(&scene).unwrap();
-    let formats = Formats::builtin();
-    for format in formats.iter() {
+    for format in registry.formats.iter() {
         let request = Request {
             format: Some(format.name().into()),
             resolution: Some(32),
             output: Some("exposed".into()),
             ..Request::image(32, 24)
         };
-        let plan = plan_with(&exposing(), &facts, &kinds, &formats, &library, &request);
-        let plan = plan.unwrap_or_else(|faults| panic!("{faults}"));
+        let plan = plan(&exposing(), &facts, &registry, &request).unwrap_or_else(|faults| panic!("{faults}"));
         let mut renderer = Renderer::new(gpu(), plan, &scene).unwrap();
         renderer.render(&scene, &scene.cameras[0], Passes::All).unwrap();
         let image = picture(&renderer, "exposed");
@@ -119,8 +116,6 @@ fn a_kind_of_pass_from_another_crate_runs_with_every_format() {
 #[test]
 fn unknown_without_the_kind() {
     let facts = SceneFacts::of(&built_in("cornell.ron")).unwrap();
-    let (formats, library) = (Formats::builtin(), Library::builtin());
-    let request = Request::image(8, 8);
-    let faults = plan_with(&exposing(), &facts, &Kinds::builtin(), &formats, &library, &request).unwrap_err();
+    let faults = plan(&exposing(), &facts, &Registry::builtin(), &Request::image(8, 8)).unwrap_err();
     assert!(faults.to_string().contains("unknown pass `expose`"), "{faults}");
 }

@@ -152,6 +152,6 @@ fn another_scene_is_no_update() {
     let error = renderer.update(&scene).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the device refuses the scene's update: 0 lights and 41 triangles, where there were 0 and 42"
+        "this is another scene than the one that was planned for: it has 41 triangles instead of 42"
     );
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use voxlume::{Formats, Library, Pipeline, Request, Scene, SceneFacts, Source, check_all, plan};
+use voxlume::{Library, Pipeline, Registry, Request, Scene, SceneFacts, Source, check_all, plan};
 use voxlume_tests::{Random, built_in, mutated_bytes, mutated_text, root};
 
 /// Bytes that reading one of these files may take. They are a few kilobytes each; a shape may grow to four million cells
@@ -86,17 +86,17 @@ fn scenes() {
 fn pipelines() {
     let facts = SceneFacts::of(&built_in("cornell.ron")).unwrap();
     let text = std::fs::read_to_string(root().join("pipelines/gi.ron")).unwrap();
-    let (formats, library) = (Formats::builtin(), Library::builtin());
+    let registry = Registry::builtin();
     survive("pipelines", 400, |random| {
         let source =
             Source::new(root().join("pipelines/gi.ron").display().to_string(), mutated_text(&text, random));
         let pipeline = Pipeline::parse(&source).map_err(|faults| faults.to_string())?;
-        plan(&pipeline, &facts, &formats, &library, &Request::image(64, 64))
-            .map_err(|faults| faults.to_string())
+        plan(&pipeline, &facts, &registry, &Request::image(64, 64)).map_err(|faults| faults.to_string())
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 5] = [
+const ALTERNATIVES: [(&str, &[&str]); 6] = [
+    ("tracer", &["tracer/cones"]),
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     ("effect", &["effect/diffuse", "effect/soft_shadow", "effect/ambient_occlusion", "effect/specular"]),
     ("encoding", &["encoding/rgba8", "encoding/rgba16float", "encoding/rgba32float"]),

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use voxlume::{Formats, Library, Passes, Pipeline, Renderer, Request, SceneFacts, Source, Value, plan};
+use voxlume::{Passes, Pipeline, Registry, Renderer, Request, SceneFacts, Source, Value, plan};
 use voxlume_tests::{built_in, gpu, picture, root};
 
 /// Pipelines that are planned, and rendered where that is possible; a frame is half a second on a software device.
@@ -69,7 +69,7 @@ proptest! {
             ..Request::image(screen[0], screen[1])
         };
         let scene = built_in(scene);
-        match plan(&pipeline, &SceneFacts::of(&scene).unwrap(), &Formats::builtin(), &Library::builtin(), &request) {
+        match plan(&pipeline, &SceneFacts::of(&scene).unwrap(), &Registry::builtin(), &request) {
             Err(faults) => prop_assert!(!faults.to_string().trim().is_empty()),
             Ok(plan) => {
                 let mut renderer = Renderer::new(gpu(), plan, &scene).map_err(|e| TestCaseError::fail(e.to_string()))?;

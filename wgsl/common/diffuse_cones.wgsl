@@ -3,11 +3,12 @@
 // for the same band; where neighbouring pixels turn it differently, they fill it together.
 
 import package::common::basis::basis_around;
-import package::common::cone::{Cone, ConeSettings, cone_trace, surface_cone};
 import package::common::constants::{PI, TAU};
 import package::common::environment::environment;
+import package::common::trace::{Apex, reach_of};
+import package::tracer::trace::trace_gather;
 
-const DIFFUSE_SINE = 0.5;
+const DIFFUSE_HALF_SINE = 0.5;
 const FULL_RING = 5u;
 
 // How the hemisphere is covered: the ring's cones, and how far it is turned, [0, 1) of the angle between two of them.
@@ -29,18 +30,14 @@ fn diffuse_weight(cones: DiffuseCones, index: u32) -> f32 {
     return select(0.75 / f32(cones.ring), 0.25, index == 0);
 }
 
-// Cone `index` of a surface point.
-fn diffuse_cone(p_voxel: vec3f, tangents: mat3x3f, cones: DiffuseCones, index: u32, start: f32, reach: f32) -> Cone {
-    return surface_cone(p_voxel, tangents[2], tangents * diffuse_direction(cones, index), DIFFUSE_SINE, reach, start);
-}
-
-// Irradiance from the volume and the sky, W·m⁻², and the mean opacity.
-fn gather_diffuse(p_voxel: vec3f, normal: vec3f, cones: DiffuseCones, settings: ConeSettings, start: f32) -> vec4f {
-    let tangents = basis_around(normal);
+// Irradiance from the scene and the sky, W·m⁻², and the mean opacity.
+fn gather_diffuse(apex: Apex, cones: DiffuseCones) -> vec4f {
+    let tangents = basis_around(apex.normal);
     var sum = vec4f(0.0);
     for (var i = 0u; i <= cones.ring; i++) {
-        let value = cone_trace(diffuse_cone(p_voxel, tangents, cones, i, start, 1e30), settings, 0.0);
-        sum += diffuse_weight(cones, i) * vec4f(value.rgb + (1.0 - value.a) * environment.sky, value.a);
+        let found = trace_gather(apex, tangents * diffuse_direction(cones, i), DIFFUSE_HALF_SINE, reach_of(1e30));
+        let arriving = found.radiance + (1.0 - found.opacity) * environment.sky;
+        sum += diffuse_weight(cones, i) * vec4f(arriving, found.opacity);
     }
     return vec4f(PI * sum.rgb, sum.a);
 }

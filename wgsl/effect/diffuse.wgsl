@@ -1,22 +1,18 @@
 // Diffuse interreflection (RAU §6.4): irradiance that the lit scene and the sky send to the surface,
-// W·m⁻², gathered by cones of 60°. Alpha is the mean opacity met.
+// W·m⁻², gathered over the hemisphere. Alpha is the mean opacity met.
 
-import package::common::cone::ConeSettings;
 import package::common::diffuse_cones::{DiffuseCones, gather_diffuse};
 import package::common::surface::Surface;
+import package::common::trace::Apex;
 
 struct Params {
-    /// 1: tangent spheres; 2: the 60° doubling cone.
-    stepper: u32,
-    /// Step over cell size, of the tangent spheres, (0, 1].
-    step: f32,
-    /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
+    /// Where traces begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
-    /// Cones around the axis, [1, 8]; together they stand for the ring of five.
+    /// Directions around the axis, [1, 8]; together they stand for the ring of five.
     ring: u32,
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
-    let cones = DiffuseCones(params.ring, surface.turn);
-    return gather_diffuse(surface.position_voxel, surface.normal, cones, ConeSettings(params.stepper, params.step), params.start);
+    let apex = Apex(surface.position_voxel, surface.normal, params.start);
+    return gather_diffuse(apex, DiffuseCones(params.ring, surface.turn));
 }

@@ -1,44 +1,43 @@
-// Soft shadows (RAU §6.2): the share of each light that the surface sees, 1 unshadowed, by a cone as wide as
+// Soft shadows (RAU §6.2): the share of each light that the surface sees, 1 unshadowed, by a trace as wide as
 // the light or, interleaved, as a part of it. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
-import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_opacity, end_at_plane, surface_cone};
 import package::common::environment::environment;
 import package::common::grid::{grid, to_voxel};
 import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
 import package::common::surface::Surface;
+import package::common::trace::{Apex, reach_of, reach_up_to};
+import package::tracer::trace::trace_opacity;
 
 struct Params {
-    /// Step over cell size, (0, 1].
-    step: f32,
-    /// Where cones begin: 1 is where the surface's own voxels end, [0, 4].
+    /// Where traces begin: 1 is where the surface's own voxels end, [0, 4].
     start: f32,
-    /// Parts of a light along each of its sides, [1, 4]: a pixel's cones are as wide as one of them, and the pass's
+    /// Parts of a light along each of its sides, [1, 4]: a pixel's traces are as wide as one of them, and the pass's
     /// `interleave` takes the mean over all.
     parts: u32,
 }
 
-fn cone_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
+fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
     let slope = dot(surface.normal_geometric, incidence.direction);
     if (all(incidence.irradiance <= vec3f(0.0)) || slope <= 0.0) {
         return 0.0;
     }
-    let sine = incidence.tangent * inverseSqrt(1.0 + incidence.tangent * incidence.tangent);
-    let reach = incidence.distance / grid.voxel_size;
-    var cone = surface_cone(surface.position_voxel, surface.normal_geometric, incidence.direction, sine, reach, params.start);
+    let half_sine = incidence.tangent * inverseSqrt(1.0 + incidence.tangent * incidence.tangent);
+    var reach = reach_of(incidence.distance / grid.voxel_size);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // The observer may be behind a light of two sides.
         let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
-        cone = end_at_plane(cone, to_voxel(light.position), facing);
+        reach = reach_up_to(to_voxel(light.position), facing);
     }
-    return 1.0 - cone_opacity(cone, ConeSettings(STEPPER_SPHERES, params.step), 0.0);
+    let apex = Apex(surface.position_voxel, surface.normal_geometric, params.start);
+    return 1.0 - trace_opacity(apex, incidence.direction, half_sine, reach, 0.0);
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
     let whole = light_incidence(light, surface.position, surface.normal);
     let part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal_geometric);
-    return cone_visibility(surface, light, part, params);
+    return traced_visibility(surface, light, part, params);
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {

@@ -6,7 +6,7 @@ import package::common::camera::camera;
 import package::common::environment::environment;
 import package::common::light::{lights, light_incidence};
 import package::common::range::in_half_range;
-import package::common::reflectance::diffuse_albedo;
+import package::common::reflectance::{DIELECTRIC_F0, diffuse_albedo};
 import package::common::surface::{Surface, image_texel, surface_load};
 
 struct Params {
@@ -63,7 +63,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (HAS_SPECULAR) {
         mirrored = textureLoad(specular, image_texel(pixel, textureDimensions(specular)), 0, 0).rgb;
     }
-    let dielectric_share = 1.0 - 0.04;
+    let dielectric_share = 1.0 - DIELECTRIC_F0;
     let radiance = textureLoad(emission, pixel, 0).rgb
         + direct_light(surface, pixel, open)
         + diffuse_albedo(surface.base_color, surface.metallic) * dielectric_share * arriving

@@ -1,6 +1,6 @@
 // Direct light on every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
 
-import package::common::attributes::voxel_surface;
+import package::common::attributes::{voxel_facing, voxel_facings, voxel_surface};
 import package::common::constants::PI;
 import package::common::environment::environment;
 import package::common::grid::{grid, from_voxel, to_voxel};
@@ -72,20 +72,16 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let surface = voxel_surface(slot);
     let p_voxel = vec3f(cell) + 0.5;
     let turn = turn_at(cell.xy ^ cell.zz);
+    let facings = voxel_facings(surface);
     var arriving = vec3f(0.0);
-    if (any(surface.normal != vec3f(0.0))) {
-        arriving = irradiance(p_voxel, surface.normal, turn);
-        if (surface.double_sided > 0.0) {
+    for (var i = 0u; i < facings.count; i++) {
+        let normal = voxel_facing(surface, facings, i);
+        var both = irradiance(p_voxel, normal, turn);
+        if (facings.opposite > 0.0) {
             // One value stands for both sides: what arrives at either.
-            arriving += surface.double_sided * irradiance(p_voxel, -surface.normal, turn);
+            both += facings.opposite * irradiance(p_voxel, -normal, turn);
         }
-    } else {
-        // Opposite surfaces share the voxel: each axis direction stands for a sixth of them.
-        for (var axis = 0; axis < 3; axis++) {
-            var normal = vec3f(0.0);
-            normal[axis] = 1.0;
-            arriving += (irradiance(p_voxel, normal, turn) + irradiance(p_voxel, -normal, turn)) / 6.0;
-        }
+        arriving += both / facings.divisor;
     }
     direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving, 1.0);
 }

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use voxlume::{
-    Formats, Gpu, Library, Passes, Pipeline, Plan, Renderer, Request, ResourceKind, Scene, SceneFacts, Step,
-    Value, plan,
+    Gpu, Passes, Pipeline, Plan, Registry, Renderer, Request, ResourceKind, Scene, SceneFacts, Step, Value,
+    plan,
 };
 
 use crate::arguments::Arguments;
@@ -70,8 +70,8 @@ fn voxelization(
         ..Request::image(1, 1)
     };
     let facts = SceneFacts::of(scene).map_err(|faults| faults.to_string())?;
-    let mut plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &request)
-        .map_err(|faults| faults.to_string())?;
+    let mut plan =
+        plan(&pipeline, &facts, &Registry::builtin(), &request).map_err(|faults| faults.to_string())?;
     plan.passes.retain(|pass| pass.name == "voxelize");
     let hierarchy = |step: &Step| match step {
         Step::Compute { program, .. } => program.binds.iter().any(|bind| bind.name == "step_params"),

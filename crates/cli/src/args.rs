@@ -25,6 +25,10 @@ pub struct PlanArgs {
     #[arg(long)]
     pub encoding: Option<String>,
 
+    /// Tracer, instead of the pipeline's: cones
+    #[arg(long)]
+    pub tracer: Option<String>,
+
     /// Voxels along the grid's longest side, instead of the pipeline's: 8 to 512
     #[arg(long, value_name = "N")]
     pub resolution: Option<u32>,
@@ -64,6 +68,7 @@ impl PlanArgs {
         Request {
             format: self.format.clone(),
             encoding: self.encoding.clone(),
+            tracer: self.tracer.clone(),
             resolution: self.resolution,
             output: None,
             set: self.set.clone(),
@@ -108,7 +113,7 @@ pub fn plan(
     scene: &Scene,
     request: &Request,
 ) -> Result<Plan, Faults> {
-    voxlume::plan(pipeline, &SceneFacts::of(scene)?, &registry.formats, &registry.library, request)
+    voxlume::plan(pipeline, &SceneFacts::of(scene)?, registry, request)
 }
 
 /// Width and height of an image.

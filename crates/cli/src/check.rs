@@ -15,7 +15,7 @@ use crate::failure::Failure;
 
 /// Check pipelines, scenes and WGSL; every fault with its file, line and column
 ///
-/// Needs no GPU. A pipeline is planned with every storage format for scenes that need all of it, and its own
+/// Needs no GPU. A pipeline is planned with every storage format and tracer for scenes that need all of it, and its own
 /// effects are checked with it. A .wgsl file in a folder `wgsl` takes the place of the built-in module below that
 /// folder; any other is checked as an effect. Exit code 2 if anything is wrong.
 #[derive(clap::Args)]
@@ -32,7 +32,6 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
-    let Registry { formats, library } = registry;
     let mut faults = Faults::default();
     let everything = args.files.is_empty();
     let mut files = if everything {
@@ -46,11 +45,11 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     }
 
     if everything || !files.shaders.is_empty() {
-        faults.extend(shaders::check(&files.shaders, formats, library));
+        faults.extend(shaders::check(&files.shaders, registry));
     }
     for source in &files.pipelines {
         if let Some(pipeline) = faults.gather(Pipeline::parse(source)) {
-            faults.extend(pipelines::check(&pipeline, formats, library));
+            faults.extend(pipelines::check(&pipeline, registry));
         }
     }
     for path in &files.scenes {
@@ -61,7 +60,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let mut told = BTreeSet::new();
     let mut different = Faults::default();
     different.extend(faults.into_iter().filter(|fault| told.insert(fault.to_string())));
-    let modules = if everything { library.paths().count() } else { 0 } + files.shaders.len();
+    let modules = if everything { registry.library.paths().count() } else { 0 } + files.shaders.len();
     let checked =
         [(files.pipelines.len(), "pipeline"), (files.scenes.len(), "scene"), (modules, "WGSL module")];
     let checked: Vec<String> =

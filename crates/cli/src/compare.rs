@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use voxlume::Fault;
+use voxlume::Registry;
 use voxlume_measure::compare::Sweep;
-use voxlume_measure::{Error, Progress as _, Registry};
+use voxlume_measure::{Error, Progress as _};
 use voxlume_report::{Results, against, table};
 
 use crate::args::size;
@@ -43,6 +44,10 @@ pub struct Args {
     /// Texel encodings with commas between, or all; the pipeline's unless given; rgba8:range=8 declares a range
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     encodings: Vec<String>,
+
+    /// Tracer, instead of the pipeline's: cones
+    #[arg(long)]
+    tracer: Option<String>,
 
     /// Voxels along the grid's side
     #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
@@ -95,6 +100,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let baseline = args.baseline.as_deref().map(baseline).transpose()?;
     let sweep = Sweep {
         registry,
+        tracer: args.tracer.clone(),
         pipeline: &pipeline,
         scenes: args.scenes.clone(),
         camera: args.camera.clone(),

@@ -28,7 +28,7 @@ use clap::{Parser, Subcommand};
 use tracing_subscriber::EnvFilter;
 use tracing_subscriber::filter::LevelFilter;
 
-pub use voxlume_measure::Registry;
+pub use voxlume::Registry;
 
 use crate::failure::Failure;
 
@@ -91,7 +91,7 @@ fn run(program: &Program, registry: &Registry) -> Result<(), Failure> {
     let registry = match &program.wgsl {
         Some(folder) => {
             let library = library::with_folder(&registry.library, folder)?;
-            changed = Registry { formats: registry.formats.clone(), library };
+            changed = Registry { library, ..registry.clone() };
             &changed
         }
         None => registry,

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use voxlume::{Fault, Faults, Library, Source};
 
-/// The library with every `.wgsl` file below `folder`, laid out as Voxlume's own folder `wgsl` is: `common/cone.wgsl` takes
-/// the place of the module `common/cone`, and what has no module's place is added.
+/// The library with every `.wgsl` file below `folder`, laid out as Voxlume's own folder `wgsl` is: `common/grid.wgsl` takes
+/// the place of the module `common/grid`, and what has no module's place is added.
 ///
 /// # Errors
 /// A folder or file that can't be read; no such file in it.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use voxlume::{Faults, Pipeline};
+use voxlume::{Fault, Faults, Pipeline};
 
 /// The built-in pipeline of that name, or the one in a `.ron` file.
 pub fn load(name: &str) -> Result<Pipeline, Faults> {
@@ -10,9 +10,6 @@ pub fn load(name: &str) -> Result<Pipeline, Faults> {
     if path.extension().is_some_and(|extension| extension == "ron") {
         return Pipeline::load(path);
     }
-    Pipeline::builtin(name).map_err(|faults| {
-        let mut noted = Faults::default();
-        noted.extend(faults.into_iter().map(|fault| fault.note("or a file, whose name ends in `.ron`")));
-        noted
-    })
+    let or_file = |fault: Fault| fault.note("or a file, whose name ends in `.ron`");
+    Pipeline::builtin(name).map_err(|faults| faults.map(or_file))
 }

@@ -75,8 +75,7 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let [width, height] = args.size;
     let facts = SceneFacts::of(&scene)?;
     // The plan tells the grid and which emitters are lights; its own size doesn't matter.
-    let plan =
-        voxlume::plan(&pipeline, &facts, &registry.formats, &registry.library, &Request::image(64, 64))?;
+    let plan = voxlume::plan(&pipeline, &facts, registry, &Request::image(64, 64))?;
     let effects = Effect::all(&pipeline);
     let named = |effect: &&Effect<'_>| effect.name == args.effect;
     let effect = effects.iter().find(named).ok_or_else(|| Failure::work("`gi` has no such effect"))?;

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use voxlume::Registry;
+use voxlume_measure::Error;
 use voxlume_measure::outfile::{self, OutFile};
 use voxlume_measure::stability::{Ran, Suite, cases};
-use voxlume_measure::{Error, Registry};
 use voxlume_report::{Stability, stability_page, utc_now};
 
 use crate::args::size;

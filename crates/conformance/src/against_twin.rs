@@ -7,9 +7,7 @@ use voxlume::{Numbers, Property};
 
 use crate::content::Random;
 use crate::substrate::opacity;
-use crate::{
-    Bench, Check, ConeProbe, Content, Error, Probe, absolute_rounding, clamped, directions, relative_rounding,
-};
+use crate::{Bench, Check, Content, Error, Probe, absolute_rounding, clamped, directions, relative_rounding};
 
 /// 32 operations in `f32`, each right to 2⁻²⁴, on terms up to 8 children's: 2⁻¹⁶.
 const ARITHMETIC: f64 = 1.0 / 65536.0;
@@ -25,8 +23,6 @@ pub fn against_twin(
     content: &Content,
 ) -> Result<Vec<Check>, Error> {
     let (exact, between) = probes(bench);
-    let cones = cones(bench, &exact);
-    let ahead = bench.run_ahead(content, &cones)?;
     let values = bench.run(content, &[exact.as_slice(), &between].concat())?;
     let device = bench.volumes(content)?;
     let check = |what: &str, figure| Check {
@@ -45,16 +41,6 @@ pub fn against_twin(
             largest(exact.iter().zip(exact_values).map(|(probe, value)| {
                 let expected = twin.voxel_sample(&device, probe.uvw, probe.level, probe.direction);
                 over(bench, expected - *value, brightest)
-            })),
-        ),
-        check(
-            "sample ahead",
-            largest(cones.iter().zip(&ahead).map(|(ConeProbe { probe, apex, behind }, seen)| {
-                let Probe { uvw, level, direction } = *probe;
-                let expected = twin.voxel_sample_ahead(&device, uvw, level, direction, *apex, *behind);
-                let rest = (expected.behind - seen.behind).extend(expected.known - seen.known);
-                let off = over(bench, expected.value - seen.value, brightest);
-                largest([off, over(bench, rest, 1.0)])
             })),
         ),
         check(
@@ -177,17 +163,6 @@ fn sample_between(
     let slack = high - low;
     let outside = (low - slack - value).max(value - high - slack).max(DVec4::ZERO);
     if value.is_finite() { over(bench, outside, brightest) } else { f64::NAN }
-}
-
-/// Cones with their apices in the middles of cells, of which all that samples beside find are texels or means of two.
-fn cones(bench: &Bench<'_>, exact: &[Probe]) -> Vec<ConeProbe> {
-    let mut random = Random(13);
-    let of = |probe: &Probe| {
-        let size = f64::from(bench.side()) * (-probe.level).exp2();
-        let apex = ((random.vector() * size).floor() + 0.5) / size;
-        ConeProbe { probe: *probe, apex, behind: random.vector() * 0.5 }
-    };
-    exact.iter().map(of).collect()
 }
 
 /// Cells' middles on whole levels, where filters give a texel as it is; and any places and levels.

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, UVec3};
-use voxlume::twin::{SeenAhead, Texels, Volumes};
+use voxlume::twin::{Texels, Volumes};
 use voxlume::{
     Camera, Choices, Encoding, Gpu, Library, Numbers, Passes, ProbeSize, Renderer, Scene, StorageFormat,
     probe,
@@ -33,17 +33,6 @@ impl Probe {
     }
 }
 
-/// A sample of a cone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConeProbe {
-    /// Where and from where.
-    pub probe: Probe,
-    /// The cone's apex, in `[0, 1]³`.
-    pub apex: DVec3,
-    /// What earlier samples found behind the apex ([`SeenAhead::behind`]).
-    pub behind: DVec3,
-}
-
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 struct ProbeBytes {
@@ -51,10 +40,6 @@ struct ProbeBytes {
     level: f32,
     direction: [f32; 3],
     padding: f32,
-    apex: [f32; 3],
-    padding_apex: f32,
-    behind: [f32; 3],
-    padding_behind: f32,
 }
 
 /// A grid of `side³` voxels on a device.
@@ -112,20 +97,6 @@ impl<'g> Bench<'g> {
     /// # Errors
     /// The device fails.
     pub fn run(&mut self, content: &Content, probes: &[Probe]) -> Result<Vec<DVec4>, Error> {
-        let probes: Vec<ConeProbe> =
-            probes.iter().map(|&probe| ConeProbe { probe, apex: probe.uvw, behind: DVec3::ZERO }).collect();
-        Ok(self.sampled(content, &probes)?.into_iter().map(|(value, _)| value).collect())
-    }
-
-    /// As [`Bench::run`], what cones see of each probe.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn run_ahead(&mut self, content: &Content, probes: &[ConeProbe]) -> Result<Vec<SeenAhead>, Error> {
-        Ok(self.sampled(content, probes)?.into_iter().map(|(_, seen)| seen).collect())
-    }
-
-    fn sampled(&mut self, content: &Content, probes: &[ConeProbe]) -> Result<Vec<(DVec4, SeenAhead)>, Error> {
         let substrate = Substrate::new(content);
         let renderer = &mut self.renderer;
         renderer.clear_volumes()?;
@@ -143,13 +114,11 @@ impl<'g> Bench<'g> {
         for chunk in probes.chunks(SAMPLES as usize).chain(probes.is_empty().then_some(probes)) {
             let bytes: Vec<ProbeBytes> = chunk
                 .iter()
-                .map(|ConeProbe { probe, apex, behind }| ProbeBytes {
+                .map(|probe| ProbeBytes {
                     uvw: probe.uvw.as_vec3().to_array(),
                     level: probe.level as f32,
                     direction: probe.direction.as_vec3().to_array(),
-                    apex: apex.as_vec3().to_array(),
-                    behind: behind.as_vec3().to_array(),
-                    ..ProbeBytes::zeroed()
+                    padding: 0.0,
                 })
                 .collect();
             renderer.write_buffer("probes", bytemuck::cast_slice(&bytes))?;
@@ -159,10 +128,7 @@ impl<'g> Bench<'g> {
                 let word = |i: usize| f32::from_le_bytes(std::array::from_fn(|byte| bytes[4 * i + byte]));
                 DVec4::from_array(std::array::from_fn(|i| f64::from(word(i))))
             };
-            values.extend(read.chunks_exact(48).take(chunk.len()).map(|bytes| {
-                let [sample, ahead, rest] = [0, 16, 32].map(|at| value(&bytes[at..]));
-                (sample, SeenAhead { value: ahead, known: rest.w, behind: rest.truncate() })
-            }));
+            values.extend(read.chunks_exact(16).take(chunk.len()).map(value));
         }
         Ok(values)
     }

@@ -1,7 +1,7 @@
 //! One suite for every storage format, from this workspace or from outside.
 //!
 //! [`run`] fills small grids with voxels, has a device store, filter and sample them with the format's own WGSL, and
-//! measures nine properties and, where the format has a CPU twin, the difference to it. Each figure has a bound that
+//! measures eight properties and, where the format has a CPU twin, the difference to it. Each figure has a bound that
 //! follows from the encoding's rounding. What a format can't hold by nature it declares with its size
 //! ([`StorageFormat::misses`]); then the figure is held to that, and a declaration that isn't needed fails.
 //!
@@ -28,7 +28,7 @@ mod symmetry;
 use voxlume::{Choices, Encoding, Faults, Gpu, Library, StorageFormat};
 
 pub use against_twin::against_twin;
-pub use bench::{Bench, ConeProbe, Probe};
+pub use bench::{Bench, Probe};
 pub use content::{Content, Voxel};
 pub use directions::directions;
 pub use report::{Check, Report};

@@ -1,6 +1,5 @@
-//! The properties, each measured on the device through `voxel_sample` and `voxel_sample_ahead` alone, so that any format can be.
+//! The properties, each measured on the device through `voxel_sample` alone, so that any format can be.
 
-mod ahead;
 mod light;
 mod safety;
 mod shape;
@@ -15,7 +14,6 @@ pub(crate) fn measure(bench: &mut Bench<'_>, report: &mut Report) -> Result<(), 
     report.extend(shape::constant(bench)?);
     report.extend(shape::opaque(bench)?);
     report.extend(shape::sides(bench)?);
-    report.extend(ahead::ahead(bench)?);
     report.extend(light::energy(bench)?);
     report.extend(light::linear(bench)?);
     report.extend(light::symmetric(bench)?);

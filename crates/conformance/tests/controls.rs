@@ -4,7 +4,7 @@
 use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, DVec4, UVec3};
-use voxlume::twin::{SeenAhead, Twin, Volumes};
+use voxlume::twin::{Twin, Volumes};
 use voxlume::{Choices, Encoding, Formats, Gpu, Library, Property, Source, StorageFormat};
 use voxlume_conformance::{Bench, Content, SIDE, against_twin, run};
 
@@ -20,7 +20,6 @@ enum Break {
     Store,
     Mipmap,
     Sample,
-    Ahead,
 }
 
 struct Broken<'t> {
@@ -58,20 +57,6 @@ impl Twin for Broken<'_> {
         let value = self.twin.voxel_sample(volumes, uvw, level, direction);
         if self.part == Break::Sample { value * self.sample } else { value }
     }
-
-    fn voxel_sample_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        apex: DVec3,
-        behind: DVec3,
-    ) -> SeenAhead {
-        let seen = self.twin.voxel_sample_ahead(volumes, uvw, level, direction, apex, behind);
-        let value = if self.part == Break::Ahead { seen.value * self.sample } else { seen.value };
-        SeenAhead { value, ..seen }
-    }
 }
 
 #[test]
@@ -86,16 +71,13 @@ fn a_broken_twin_is_noticed_where_it_is_broken() {
             (Break::Store, Some("store")),
             (Break::Mipmap, Some("mipmap")),
             (Break::Sample, Some("sample")),
-            (Break::Ahead, Some("ahead")),
         ] {
             let has_bytes = bench.numbers().any(|numbers| numbers.are_bytes(bench.encoding));
             let sample = if has_bytes { LITTLE_OF_BYTES } else { LITTLE };
             let twin = Broken { twin: twin.as_ref(), part: broken, sample };
             let checks = against_twin(&mut bench, &twin, "random", &content).unwrap();
             for check in checks {
-                // `sample` is the name of two checks, beside that of cones.
-                let part_here =
-                    part.is_some_and(|part| check.at.replace("sample ahead", "ahead").contains(part));
+                let part_here = part.is_some_and(|part| check.at.contains(part));
                 assert_eq!(check.figure > check.bound, part_here, "{}: {broken:?}: {check:?}", format.name());
             }
         }
@@ -142,10 +124,6 @@ fn each_property_can_fail() {
     fails("isotropic", &with(&format!("{value} * (1.0 + 0.1 * level)")), Property::Energy);
     let faces = "format/six_face/faces";
     fails("six_face", &edited(faces, "select(0u, 1u, negative)", "select(1u, 0u, negative)"), Property::Twin);
-    let behind = "saturate(opacity / FACING_FULL)";
-    for format in ["six_face", "sh2"] {
-        fails(format, &edited("common/seen_ahead", behind, "vec3f(0.0)"), Property::Ahead);
-    }
     let child = "select(surface.front, surface.back, vec3<bool>(side == 1))[axis]";
     fails("six_face", &edited("format/six_face/mipmap", child, "1.0"), Property::Twin);
 }
@@ -170,7 +148,6 @@ impl StorageFormat for Modest {
     fn misses(&self) -> &[voxlume::Miss] {
         &[
             voxlume::Miss { property: Property::Sides, at: "", size: 0.5, why: "one radiance" },
-            voxlume::Miss { property: Property::Ahead, at: "", size: 0.5, why: "one radiance" },
             voxlume::Miss { property: Property::Opaque, at: "level 3", size: 0.2, why: "modesty" },
         ]
     }

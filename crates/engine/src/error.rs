@@ -67,6 +67,30 @@ pub enum Error {
     /// The scene is not what it has to be.
     #[error(transparent)]
     Scene(#[from] voxlume_fault::Faults),
+    /// A scene is given that differs from the one on the device in more than may change between frames.
+    #[error("this is another scene than the one that was planned for: {0}")]
+    OtherScene(String),
+    /// A parameter or a camera is not what it has to be.
+    #[error(transparent)]
+    Fault(#[from] voxlume_fault::Fault),
+    /// No screen has this size.
+    #[error("an image of {width} × {height} pixels: each side must be from 1 to {limit}")]
+    Screen {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// The device's largest side.
+        limit: u32,
+    },
+    /// A pass that the plan doesn't have.
+    #[error("no pass is called `{name}`; there is: {}", known.join(", "))]
+    NoSuchPass {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<String>,
+    },
     /// A buffer that the plan doesn't have.
     #[error("no buffer is called `{0}`")]
     NoSuchBuffer(String),

@@ -5,8 +5,8 @@ use std::sync::{Arc, LazyLock, Mutex};
 
 use crate::Error;
 
-/// An open device.
-#[derive(Debug)]
+/// An open device. Clones are the same device.
+#[derive(Clone, Debug)]
 pub struct Gpu {
     /// The device.
     pub device: wgpu::Device,

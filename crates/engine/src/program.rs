@@ -1,161 +1,151 @@
-//! Programs as pipelines, each made once.
+//! Programs as pipelines, each made once and kept by content.
 
 use std::collections::HashMap;
 
-use voxlume_graph::{Plan, Program, ResourceKind};
+use voxlume_graph::{ImageTexel, Plan, Program, ResourceKind, Step};
 
-use crate::bind::{BindGroups, bind_groups, layouts};
-use crate::resources::{Object, RASTER_FORMAT, image_format};
-use crate::{Error, Gpu};
+use crate::Error;
+use crate::host::Host;
+use crate::layout::{Layouts, layouts};
+use crate::resources::{RASTER_FORMAT, image_format};
 
-/// Pipelines and shader modules, each made once.
+/// Shader modules by their text, and pipelines by all that they are made of. Another plan finds here what it shares with
+/// the ones before it.
+#[derive(Debug, Default)]
 pub(crate) struct Programs {
-    modules: Vec<wgpu::ShaderModule>,
-    compute: HashMap<String, wgpu::ComputePipeline>,
-    render: HashMap<String, wgpu::RenderPipeline>,
+    /// With a number that is shorter than the text.
+    modules: HashMap<String, (usize, wgpu::ShaderModule)>,
+    pipelines: HashMap<String, Compiled>,
 }
 
-/// A program ready to run.
-pub(crate) enum Ready {
-    Compute(wgpu::ComputePipeline, BindGroups),
-    Draw(wgpu::RenderPipeline, BindGroups),
+/// A pipeline and the layouts of its bind groups.
+#[derive(Clone, Debug)]
+pub(crate) struct Compiled {
+    pub pipeline: Pipeline,
+    pub layouts: Layouts,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum Pipeline {
+    Compute(wgpu::ComputePipeline),
+    Render(wgpu::RenderPipeline),
+}
+
+/// What a program that draws draws on.
+#[derive(Debug)]
+struct Targets {
+    colors: Vec<Option<wgpu::ColorTargetState>>,
+    depth: Option<wgpu::DepthStencilState>,
 }
 
 impl Programs {
-    pub fn new(gpu: &Gpu, plan: &Plan) -> Result<Programs, Error> {
-        let make = |shader: &voxlume_shader::Shader| {
-            gpu.guarded("a shader", || {
-                gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: None,
-                    source: wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into()),
-                })
+    /// A step's program; `None` for a step without one. `label` names its pass.
+    ///
+    /// # Errors
+    /// The device refuses a shader or a pipeline.
+    pub fn compiled(
+        &mut self,
+        host: &mut Host,
+        plan: &Plan,
+        label: &str,
+        step: &Step,
+    ) -> Result<Option<Compiled>, Error> {
+        let (program, targets) = match step {
+            Step::Clear(_) | Step::Copy { .. } | Step::Counted => return Ok(None),
+            Step::Compute { program, .. } => (program, None),
+            Step::Draw { program, colors, reversed, .. } => (program, Some(drawn(plan, colors, *reversed))),
+            Step::Raster { program, .. } => (program, Some(rastered())),
+        };
+        let (number, module) = self.module(host, &plan.shaders[program.shader].wgsl)?;
+        // A layout follows from what the program binds.
+        let binds: Vec<_> = program.binds.iter().map(|bind| (bind.group, bind.binding, &bind.kind)).collect();
+        let key = format!("{number} {} {:?} {binds:?} {targets:?}", program.entry, program.constants);
+        if let Some(known) = self.pipelines.get(&key) {
+            return Ok(Some(known.clone()));
+        }
+        host.counters.pipelines += 1;
+        let made = host.gpu.guarded(label, || match &targets {
+            None => compute(&host.gpu.device, label, &module, program),
+            Some(targets) => render(&host.gpu.device, label, &module, program, targets),
+        })?;
+        self.pipelines.insert(key, made.clone());
+        Ok(Some(made))
+    }
+
+    fn module(&mut self, host: &mut Host, wgsl: &str) -> Result<(usize, wgpu::ShaderModule), Error> {
+        if let Some(known) = self.modules.get(wgsl) {
+            return Ok(known.clone());
+        }
+        host.counters.modules += 1;
+        let made = host.gpu.guarded("a shader", || {
+            host.gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: None,
+                source: wgpu::ShaderSource::Wgsl(wgsl.into()),
             })
-        };
-        let modules = plan.shaders.iter().map(make).collect::<Result<_, _>>()?;
-        Ok(Programs { modules, compute: HashMap::new(), render: HashMap::new() })
-    }
-
-    pub fn compute(
-        &mut self,
-        gpu: &Gpu,
-        plan: &Plan,
-        objects: &[Object],
-        label: &str,
-        program: &Program,
-    ) -> Result<Ready, Error> {
-        let key = format!("{} {} {:?}", program.shader, program.entry, program.constants);
-        let visibility = wgpu::ShaderStages::COMPUTE;
-        let layouts = layouts(gpu, program, visibility);
-        if !self.compute.contains_key(&key) {
-            let constants = constants(program);
-            let module = &self.modules[program.shader];
-            let pipeline = gpu.guarded(label, || {
-                gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                    label: Some(label),
-                    layout: Some(&pipeline_layout(gpu, &layouts)),
-                    module,
-                    entry_point: Some(program.entry),
-                    compilation_options: options(&constants),
-                    cache: None,
-                })
-            })?;
-            self.compute.insert(key.clone(), pipeline);
-        }
-        let groups = gpu.guarded(label, || bind_groups(gpu, plan, objects, program, &layouts))?;
-        Ok(Ready::Compute(self.compute[&key].clone(), groups))
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "a draw is a program and its targets")]
-    pub fn draw(
-        &mut self,
-        gpu: &Gpu,
-        plan: &Plan,
-        objects: &[Object],
-        label: &str,
-        program: &Program,
-        colors: &[Option<usize>],
-        reversed: bool,
-    ) -> Result<Ready, Error> {
-        let target = |index: usize| {
-            let ResourceKind::Image { texel, .. } = plan.resources[index].kind else { return None };
-            Some(wgpu::ColorTargetState::from(image_format(texel)))
-        };
-        let targets: Vec<_> = colors.iter().map(|color| color.and_then(target)).collect();
-        self.render(gpu, plan, objects, label, program, &targets, Some(depth_state(reversed)))
-    }
-
-    /// A program whose fragments write to buffers only.
-    pub fn raster(
-        &mut self,
-        gpu: &Gpu,
-        plan: &Plan,
-        objects: &[Object],
-        label: &str,
-        program: &Program,
-    ) -> Result<Ready, Error> {
-        let target = wgpu::ColorTargetState {
-            format: RASTER_FORMAT,
-            blend: None,
-            write_mask: wgpu::ColorWrites::empty(),
-        };
-        self.render(gpu, plan, objects, label, program, &[Some(target)], None)
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "a draw is a program and its targets")]
-    fn render(
-        &mut self,
-        gpu: &Gpu,
-        plan: &Plan,
-        objects: &[Object],
-        label: &str,
-        program: &Program,
-        targets: &[Option<wgpu::ColorTargetState>],
-        depth_stencil: Option<wgpu::DepthStencilState>,
-    ) -> Result<Ready, Error> {
-        let key = format!("{} {:?} {targets:?}", program.shader, program.constants);
-        let layouts = layouts(gpu, program, wgpu::ShaderStages::VERTEX_FRAGMENT);
-        if !self.render.contains_key(&key) {
-            let constants = constants(program);
-            let module = &self.modules[program.shader];
-            let pipeline = gpu.guarded(label, || {
-                gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                    label: Some(label),
-                    layout: Some(&pipeline_layout(gpu, &layouts)),
-                    vertex: wgpu::VertexState {
-                        module,
-                        entry_point: Some("vertex_main"),
-                        compilation_options: options(&constants),
-                        buffers: &[],
-                    },
-                    primitive: wgpu::PrimitiveState::default(),
-                    depth_stencil,
-                    multisample: wgpu::MultisampleState::default(),
-                    fragment: Some(wgpu::FragmentState {
-                        module,
-                        entry_point: Some("fragment_main"),
-                        compilation_options: options(&constants),
-                        targets,
-                    }),
-                    multiview_mask: None,
-                    cache: None,
-                })
-            })?;
-            self.render.insert(key.clone(), pipeline);
-        }
-        let groups = gpu.guarded(label, || bind_groups(gpu, plan, objects, program, &layouts))?;
-        Ok(Ready::Draw(self.render[&key].clone(), groups))
+        })?;
+        let numbered = (self.modules.len(), made);
+        self.modules.insert(wgsl.to_owned(), numbered.clone());
+        Ok(numbered)
     }
 }
 
-fn depth_state(reversed: bool) -> wgpu::DepthStencilState {
-    wgpu::DepthStencilState {
-        format: wgpu::TextureFormat::Depth32Float,
-        depth_write_enabled: Some(true),
-        depth_compare: Some(if reversed {
-            wgpu::CompareFunction::Greater
-        } else {
-            wgpu::CompareFunction::Less
+fn compute(device: &wgpu::Device, label: &str, module: &wgpu::ShaderModule, program: &Program) -> Compiled {
+    let layouts = layouts(device, program, wgpu::ShaderStages::COMPUTE);
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(label),
+        layout: Some(&pipeline_layout(device, &layouts)),
+        module,
+        entry_point: Some(program.entry),
+        compilation_options: options(&constants(program)),
+        cache: None,
+    });
+    Compiled { pipeline: Pipeline::Compute(pipeline), layouts }
+}
+
+fn render(
+    device: &wgpu::Device,
+    label: &str,
+    module: &wgpu::ShaderModule,
+    program: &Program,
+    targets: &Targets,
+) -> Compiled {
+    let layouts = layouts(device, program, wgpu::ShaderStages::VERTEX_FRAGMENT);
+    let constants = constants(program);
+    let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(label),
+        layout: Some(&pipeline_layout(device, &layouts)),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("vertex_main"),
+            compilation_options: options(&constants),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: targets.depth.clone(),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("fragment_main"),
+            compilation_options: options(&constants),
+            targets: &targets.colors,
         }),
+        multiview_mask: None,
+        cache: None,
+    });
+    Compiled { pipeline: Pipeline::Render(pipeline), layouts }
+}
+
+/// Triangles onto images of the plan.
+fn drawn(plan: &Plan, colors: &[Option<usize>], reversed: bool) -> Targets {
+    let color = |index: usize| {
+        let ResourceKind::Image { texel, .. } = plan.resources[index].kind else { return None };
+        Some(wgpu::ColorTargetState::from(image_format(texel)))
+    };
+    let compare = if reversed { wgpu::CompareFunction::Greater } else { wgpu::CompareFunction::Less };
+    let depth = wgpu::DepthStencilState {
+        format: image_format(ImageTexel::Depth32),
+        depth_write_enabled: Some(true),
+        depth_compare: Some(compare),
         stencil: wgpu::StencilState::default(),
         // Shadow maps lie a little behind the surfaces that cast them, more where those are steep.
         bias: if reversed {
@@ -163,7 +153,15 @@ fn depth_state(reversed: bool) -> wgpu::DepthStencilState {
         } else {
             wgpu::DepthBiasState { constant: 16, slope_scale: 2.0, clamp: 0.0 }
         },
-    }
+    };
+    Targets { colors: colors.iter().map(|index| index.and_then(color)).collect(), depth: Some(depth) }
+}
+
+/// Fragments that write to buffers only.
+fn rastered() -> Targets {
+    let unwritten =
+        wgpu::ColorTargetState { format: RASTER_FORMAT, blend: None, write_mask: wgpu::ColorWrites::empty() };
+    Targets { colors: vec![Some(unwritten)], depth: None }
 }
 
 fn constants(program: &Program) -> Vec<(&str, f64)> {
@@ -175,9 +173,9 @@ fn options<'a>(constants: &'a [(&'a str, f64)]) -> wgpu::PipelineCompilationOpti
     wgpu::PipelineCompilationOptions { constants, zero_initialize_workgroup_memory: false }
 }
 
-fn pipeline_layout(gpu: &Gpu, layouts: &[Option<wgpu::BindGroupLayout>]) -> wgpu::PipelineLayout {
+fn pipeline_layout(device: &wgpu::Device, layouts: &Layouts) -> wgpu::PipelineLayout {
     let layouts: Vec<_> = layouts.iter().map(Option::as_ref).collect();
-    gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
         bind_group_layouts: &layouts,
         immediate_size: 0,

@@ -1,14 +1,13 @@
 //! A plan's resources on the device.
 
 use voxlume_format::{Encoding, Numbers};
-use voxlume_graph::{ImageTexel, Plan, ResourceKind, SceneFacts};
-use voxlume_scene::{Geometry, Scene};
+use voxlume_graph::{ImageTexel, Life, Plan, ResourceKind};
 
-use crate::upload::{light, material, mesh, texture};
-use crate::{Error, Gpu};
+use crate::Error;
+use crate::host::Host;
 
 /// A resource.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Object {
     Buffer(wgpu::Buffer),
     Texture(wgpu::Texture),
@@ -17,223 +16,132 @@ pub(crate) enum Object {
     Pending,
 }
 
-/// The scene's part: what the plan calls `Scene` resources, and what else drawing needs.
-pub(crate) struct SceneObjects {
-    pub named: Vec<(&'static str, Object)>,
-    pub indices: wgpu::Buffer,
-    pub index_count: u32,
-    pub light_count: u32,
-    pub camera: wgpu::Buffer,
-    pub environment: wgpu::Buffer,
-    pub clock: wgpu::Buffer,
-    vertices: wgpu::Buffer,
-    lights: wgpu::Buffer,
-    shadow_matrices: wgpu::Buffer,
-    /// Vertices and triangles of instances that don't move.
-    still: (usize, usize),
+/// All of a plan's, by their index in it.
+#[derive(Debug)]
+pub(crate) struct Resources(Vec<Slot>);
+
+/// A resource, or two that change places: see [`Life::History`].
+#[derive(Debug)]
+struct Slot {
+    objects: Vec<Object>,
+    newest: usize,
 }
 
-impl SceneObjects {
-    pub fn new(gpu: &Gpu, plan: &Plan, facts: &SceneFacts, scene: &Scene) -> Result<SceneObjects, Error> {
-        let geometry = Geometry::new(scene, plan.grid.centre);
-        let lights = light::lights(scene, plan, facts);
-        let layers = texture::layers(scene);
-        let [colors, data] = [true, false].map(|srgb| texture::array(scene, srgb, facts.texture_size));
-        gpu.guarded("the scene's buffers", || {
-            let storage = |label, bytes: &[u8], usage| buffer_with(gpu, label, bytes, usage);
-            let read = wgpu::BufferUsages::STORAGE;
-            // What an update writes.
-            let kept = read | wgpu::BufferUsages::COPY_DST;
-            let moving = Geometry::moving(scene, plan.grid.centre);
-            let still = (
-                geometry.positions.len() - moving.positions.len(),
-                geometry.triangles.len() - moving.triangles.len(),
-            );
-            let mut triangles = geometry.triangles.clone();
-            let (never, may) = triangles.split_at_mut(still.1);
-            masked_last(scene, &geometry, never);
-            masked_last(scene, &geometry, may);
-            let indices: &[u8] = bytemuck::cast_slice(&triangles);
-            let index_buffer = storage("indices", indices, kept | wgpu::BufferUsages::INDEX);
-            let uniform = |label, size| buffer_with(gpu, label, &vec![0; size], wgpu::BufferUsages::UNIFORM);
-            let camera = uniform("camera", size_of::<crate::upload::frame::Camera>());
-            let environment = uniform("environment", size_of::<crate::upload::frame::Environment>());
-            let clock = uniform("clock", size_of::<crate::upload::frame::Clock>());
-            let vertices = storage("vertices", bytemuck::cast_slice(&mesh::vertices(&geometry)), kept);
-            let light_buffer = storage("lights", bytemuck::cast_slice(&lights.lights), kept);
-            let shadow_matrices = storage("shadow_matrices", bytemuck::cast_slice(&lights.matrices), kept);
-            let named = vec![
-                ("camera", Object::Buffer(camera.clone())),
-                ("environment", Object::Buffer(environment.clone())),
-                ("clock", Object::Buffer(clock.clone())),
-                ("vertices", Object::Buffer(vertices.clone())),
-                ("indices", Object::Buffer(index_buffer.clone())),
-                (
-                    "materials",
-                    Object::Buffer(storage(
-                        "materials",
-                        bytemuck::cast_slice(&material::materials(scene, &layers)),
-                        read,
-                    )),
-                ),
-                ("lights", Object::Buffer(light_buffer.clone())),
-                ("shadow_matrices", Object::Buffer(shadow_matrices.clone())),
-                ("color_textures", Object::Texture(texture_array(gpu, "color_textures", &colors, true))),
-                ("data_textures", Object::Texture(texture_array(gpu, "data_textures", &data, false))),
-                ("material_sampler", Object::Sampler(sampler(gpu, wgpu::AddressMode::Repeat, None))),
-                ("volume_sampler", Object::Sampler(sampler(gpu, wgpu::AddressMode::ClampToEdge, None))),
-                (
-                    "shadow_sampler",
-                    Object::Sampler(sampler(
-                        gpu,
-                        wgpu::AddressMode::ClampToEdge,
-                        Some(wgpu::CompareFunction::LessEqual),
-                    )),
-                ),
-            ];
-            SceneObjects {
-                named,
-                indices: index_buffer,
-                index_count: geometry.triangles.len() as u32 * 3,
-                light_count: lights.count,
-                camera,
-                environment,
-                clock,
-                vertices,
-                lights: light_buffer,
-                shadow_matrices,
-                still,
+impl Resources {
+    /// Without those of the scene, which are given, and those whose size depends on the number of voxels.
+    pub fn new(
+        host: &mut Host,
+        plan: &Plan,
+        scene: impl Fn(&str) -> Option<Object>,
+    ) -> Result<Resources, Error> {
+        let all = plan.resources.iter().enumerate().map(|(index, resource)| match resource.kind {
+            ResourceKind::Scene => {
+                let object = scene(&resource.name).unwrap_or(Object::Pending);
+                Ok(Slot { objects: vec![object], newest: 0 })
             }
-        })
+            ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => {
+                Ok(Slot { objects: vec![Object::Pending], newest: 0 })
+            }
+            _ => slot(host, plan, index, (0, 0)),
+        });
+        Ok(Resources(all.collect::<Result<_, _>>()?))
     }
 
-    /// Writes where the scene's moving instances and its lights are now.
-    pub fn update(&self, gpu: &Gpu, plan: &Plan, facts: &SceneFacts, scene: &Scene) -> Result<(), Error> {
-        let lights = light::lights(scene, plan, facts);
-        let geometry = Geometry::moving(scene, plan.grid.centre);
-        let (first_vertex, first_triangle) = self.still;
-        let mut triangles = geometry.triangles.clone();
-        masked_last(scene, &geometry, &mut triangles);
-        triangles.iter_mut().flatten().for_each(|index| *index += first_vertex as u32);
-        let known = (self.light_count, self.index_count as usize / 3);
-        let (lit, shown) = (lights.count, first_triangle + triangles.len());
-        if (lit, shown) != known {
-            let message =
-                format!("{lit} lights and {shown} triangles, where there were {} and {}", known.0, known.1);
-            return Err(Error::Refused { what: "the scene's update".into(), message });
-        }
-        let write =
-            |buffer, offset: usize, bytes: &[u8]| gpu.queue.write_buffer(buffer, offset as u64, bytes);
-        let vertices = mesh::vertices(&geometry);
-        write(&self.vertices, first_vertex * size_of::<mesh::Vertex>(), bytemuck::cast_slice(&vertices));
-        // A mirrored instance's triangles are turned.
-        write(&self.indices, first_triangle * size_of::<[u32; 3]>(), bytemuck::cast_slice(&triangles));
-        write(&self.lights, 0, bytemuck::cast_slice(&lights.lights));
-        write(&self.shadow_matrices, 0, bytemuck::cast_slice(&lights.matrices));
+    /// The value that was written last.
+    pub fn newest(&self, index: usize) -> &Object {
+        let Slot { objects, newest } = &self.0[index];
+        &objects[*newest]
+    }
+
+    /// The value before that.
+    pub fn last(&self, index: usize) -> &Object {
+        let Slot { objects, newest } = &self.0[index];
+        &objects[(newest + 1) % objects.len()]
+    }
+
+    /// Which of two is the newest.
+    pub fn place(&self, index: usize) -> usize {
+        self.0[index].newest
+    }
+
+    /// Lets the newest value become the last one: a pass is about to write the resource.
+    pub fn turn(&mut self, index: usize) {
+        let slot = &mut self.0[index];
+        slot.newest = (slot.newest + 1) % slot.objects.len();
+    }
+
+    /// Makes some anew, or none of them if one can't be made. `counts` are of occupied voxels and cells.
+    pub fn remake(
+        &mut self,
+        host: &mut Host,
+        plan: &Plan,
+        which: &[usize],
+        counts: (u64, u64),
+    ) -> Result<(), Error> {
+        let made = which.iter().map(|index| slot(host, plan, *index, counts));
+        let made = made.collect::<Result<Vec<_>, _>>()?;
+        which.iter().zip(made).for_each(|(index, slot)| self.0[*index] = slot);
         Ok(())
     }
-}
 
-/// As the plan has them voxelized apart.
-fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
-    triangles.sort_by_key(|triangle| {
-        scene.materials[geometry.materials[triangle[0] as usize] as usize].is_masked()
-    });
-}
-
-/// A buffer with these bytes, at least one element's worth of zeroes.
-pub(crate) fn buffer_with(gpu: &Gpu, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
-    let nothing = [0; 256];
-    let contents = if bytes.is_empty() { &nothing } else { bytes };
-    // `create_buffer_init` would panic if the device is lost.
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(label),
-        size: contents.len() as u64,
-        usage: usage | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    gpu.queue.write_buffer(&buffer, 0, contents);
-    buffer
-}
-
-fn sampler(gpu: &Gpu, address: wgpu::AddressMode, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {
-    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        address_mode_u: address,
-        address_mode_v: address,
-        address_mode_w: address,
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        compare,
-        ..Default::default()
-    })
-}
-
-fn texture_array(gpu: &Gpu, label: &str, array: &texture::TextureArray, srgb: bool) -> wgpu::Texture {
-    let format = if srgb { wgpu::TextureFormat::Rgba8UnormSrgb } else { wgpu::TextureFormat::Rgba8Unorm };
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: array.size, height: array.size, depth_or_array_layers: array.layers },
-        mip_level_count: array.levels.len() as u32,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    });
-    for (mip, bytes) in array.levels.iter().enumerate() {
-        let side = (array.size >> mip).max(1);
-        gpu.queue.write_texture(
-            wgpu::TexelCopyTextureInfo { mip_level: mip as u32, ..texture.as_image_copy() },
-            bytes,
-            wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(4 * side),
-                rows_per_image: Some(side),
-            },
-            wgpu::Extent3d { width: side, height: side, depth_or_array_layers: array.layers },
-        );
+    /// Puts an object in a resource's place.
+    pub fn put(&mut self, index: usize, object: Object) {
+        self.0[index] = Slot { objects: vec![object], newest: 0 };
     }
-    texture
+
+    pub fn buffer(&self, index: usize) -> Option<&wgpu::Buffer> {
+        match self.newest(index) {
+            Object::Buffer(buffer) => Some(buffer),
+            _ => None,
+        }
+    }
+
+    pub fn texture(&self, index: usize) -> Option<&wgpu::Texture> {
+        match self.newest(index) {
+            Object::Texture(texture) => Some(texture),
+            _ => None,
+        }
+    }
 }
 
-/// Makes resource `index`; with `counts` of occupied voxels and cells, also what depends on them.
-pub(crate) fn create(
-    gpu: &Gpu,
-    plan: &Plan,
-    index: usize,
-    counts: Option<(u64, u64)>,
-) -> Result<Object, Error> {
+fn slot(host: &mut Host, plan: &Plan, index: usize, counts: (u64, u64)) -> Result<Slot, Error> {
+    let copies = match plan.resources[index].life {
+        Life::Frame => 1,
+        Life::History => 2,
+    };
+    let objects = (0..copies).map(|_| create(host, plan, index, counts)).collect::<Result<_, _>>()?;
+    Ok(Slot { objects, newest: 0 })
+}
+
+fn create(host: &mut Host, plan: &Plan, index: usize, (voxels, cells): (u64, u64)) -> Result<Object, Error> {
     let resource = &plan.resources[index];
     let name = resource.name.as_str();
-    if matches!(resource.kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_)) && counts.is_none() {
-        return Ok(Object::Pending);
-    }
-    let (voxels, cells) = counts.unwrap_or_default();
-    let texture = |size: [u32; 3], mips, dimension, format, usage| {
-        let [width, height, depth_or_array_layers] = size;
-        gpu.guarded(name, || {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(name),
-                size: wgpu::Extent3d { width, height, depth_or_array_layers },
-                mip_level_count: mips,
-                sample_count: 1,
-                dimension,
-                format,
-                usage: usage | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
-            })
-        })
-        .map(Object::Texture)
+    let mut texture = |[width, height, depth_or_array_layers]: [u32; 3], mips, dimension, format, usage| {
+        let descriptor = wgpu::TextureDescriptor {
+            label: Some(name),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers },
+            mip_level_count: mips,
+            sample_count: 1,
+            dimension,
+            format,
+            usage: usage | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        };
+        host.texture(&descriptor).map(Object::Texture)
     };
-    match resource.kind {
+    match &resource.kind {
         ResourceKind::Scene => Ok(Object::Pending),
-        ResourceKind::Uniform(ref bytes) => gpu
-            .guarded(name, || buffer_with(gpu, name, bytes, wgpu::BufferUsages::UNIFORM))
-            .map(Object::Buffer),
-        ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => {
-            let bytes = plan.bytes(index, voxels, cells).unwrap_or_default().max(32);
-            let limit = gpu.device.limits().max_storage_buffer_binding_size;
+        ResourceKind::Uniform(bytes) => {
+            host.buffer_with(name, bytes, wgpu::BufferUsages::UNIFORM).map(Object::Buffer)
+        }
+        ResourceKind::Buffer(bytes) | ResourceKind::PerVoxel(bytes) | ResourceKind::PerCell(bytes) => {
+            let bytes = match resource.kind {
+                ResourceKind::PerVoxel(_) => bytes * voxels,
+                ResourceKind::PerCell(_) => bytes * cells,
+                _ => *bytes,
+            }
+            .max(32);
+            let limit = host.gpu.device.limits().max_storage_buffer_binding_size;
             if bytes > limit {
                 return Err(Error::TooLarge { name: name.to_owned(), bytes, voxels, limit });
             }
@@ -241,27 +149,24 @@ pub(crate) fn create(
                 | wgpu::BufferUsages::COPY_DST
                 | wgpu::BufferUsages::COPY_SRC
                 | wgpu::BufferUsages::INDIRECT;
-            let descriptor =
-                wgpu::BufferDescriptor { label: Some(name), size: bytes, usage, mapped_at_creation: false };
-            gpu.guarded(name, || gpu.device.create_buffer(&descriptor)).map(Object::Buffer)
+            host.buffer(name, bytes, usage).map(Object::Buffer)
         }
         ResourceKind::Volume { size, mips, encoding, numbers } => {
-            let format = volume_format(encoding, numbers);
+            let format = volume_format(*encoding, *numbers);
             let usage = wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_DST;
-            texture(size, mips, wgpu::TextureDimension::D3, format, usage)
+            texture(*size, *mips, wgpu::TextureDimension::D3, format, usage)
         }
         ResourceKind::Image { extent, texel, layers, mips } => {
             let [width, height] = extent.size(plan.screen);
-            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-            let usage = match ImageTexel::WRITABLE.contains(&texel) {
-                true => usage | wgpu::TextureUsages::STORAGE_BINDING,
-                false => usage,
-            };
-            texture([width, height, layers], mips, wgpu::TextureDimension::D2, image_format(texel), usage)
+            let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
+            let is_writable = ImageTexel::WRITABLE.contains(texel);
+            let usage = if is_writable { drawn | wgpu::TextureUsages::STORAGE_BINDING } else { drawn };
+            let format = image_format(*texel);
+            texture([width, height, *layers], *mips, wgpu::TextureDimension::D2, format, usage)
         }
         ResourceKind::Raster { side } => {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-            texture([side, side, 1], 1, wgpu::TextureDimension::D2, RASTER_FORMAT, usage)
+            texture([*side, *side, 1], 1, wgpu::TextureDimension::D2, RASTER_FORMAT, usage)
         }
     }
 }

@@ -25,6 +25,7 @@ pub struct PassTime {
 }
 
 /// Two timestamps a pass.
+#[derive(Debug)]
 pub(crate) struct Queries {
     set: wgpu::QuerySet,
     resolved: wgpu::Buffer,
@@ -51,6 +52,11 @@ impl Queries {
         let resolved = buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
         let read = buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ);
         Queries { set, resolved, read, count }
+    }
+
+    /// For how many passes there are timestamps.
+    pub fn passes(&self) -> u32 {
+        self.count / 2
     }
 
     /// Timestamps of an encoder's pass; `ends` says whether it begins and ends the plan's pass.

@@ -16,46 +16,46 @@ pub struct Texels {
 }
 
 impl Renderer<'_> {
-    /// Writes the first bytes of a buffer of the plan.
+    /// Writes the first bytes of a buffer of the plan. Passes that read it run again.
     ///
     /// # Errors
     /// The plan has no such buffer, or a smaller one.
-    pub fn write_buffer(&self, name: &str, bytes: &[u8]) -> Result<(), Error> {
-        let buffer = self.plan().resource(name).map(|index| &self.objects[index]);
-        let Some(Object::Buffer(buffer)) = buffer else {
+    pub fn write_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
+        let Some((index, Object::Buffer(buffer))) = self.session.object(name) else {
             return Err(Error::NoSuchBuffer(name.to_owned()));
         };
-        self.gpu.guarded(name, || self.gpu.queue.write_buffer(buffer, 0, bytes))
+        self.gpu.guarded(name, || self.gpu.queue.write_buffer(buffer, 0, bytes))?;
+        self.session.work.schedule.touch(index);
+        Ok(())
     }
 
-    /// The volumes of the plan: name and what the largest of their bytes stand for.
-    fn volumes(&self) -> impl Iterator<Item = (&str, [f32; 4], &wgpu::Texture)> {
-        let resources = self.plan().resources.iter().zip(&self.objects);
-        resources.filter_map(|(resource, object)| match (&resource.kind, object) {
-            (ResourceKind::Volume { encoding, numbers, .. }, Object::Texture(texture)) => {
-                Some((resource.name.as_str(), numbers.ranges(*encoding), texture))
-            }
-            _ => None,
+    /// The volumes of the plan: index and name, and what the largest of their bytes stand for.
+    fn volumes(&self) -> impl Iterator<Item = (usize, &str, [f32; 4], &wgpu::Texture)> {
+        let resources = self.plan().resources.iter().enumerate();
+        resources.filter_map(|(index, resource)| {
+            let ResourceKind::Volume { encoding, numbers, .. } = &resource.kind else { return None };
+            let texture = self.session.work.resources.texture(index)?;
+            Some((index, resource.name.as_str(), numbers.ranges(*encoding), texture))
         })
     }
 
-    /// Fills all volumes with zeroes.
+    /// Fills all volumes with zeroes. Passes that read them run again; those that make them don't.
     ///
     /// # Errors
     /// The device is lost.
-    pub fn clear_volumes(&self) -> Result<(), Error> {
-        for (name, _, texture) in self.volumes() {
+    pub fn clear_volumes(&mut self) -> Result<(), Error> {
+        let mut cleared = Vec::new();
+        for (index, name, _, texture) in self.volumes() {
             for mip in 0..texture.mip_level_count() {
                 let (size, layout) = layout(texture, mip);
-                let zeroes = vec![
-                    0;
-                    (layout.bytes_per_row.unwrap_or(0) * size.height * size.depth_or_array_layers)
-                        as usize
-                ];
+                let row = layout.bytes_per_row.unwrap_or(0);
+                let zeroes = vec![0; (row * size.height * size.depth_or_array_layers) as usize];
                 let to = wgpu::TexelCopyTextureInfo { mip_level: mip, ..texture.as_image_copy() };
                 self.gpu.guarded(name, || self.gpu.queue.write_texture(to, &zeroes, layout, size))?;
             }
+            cleared.push(index);
         }
+        cleared.into_iter().for_each(|index| self.session.work.schedule.touch(index));
         Ok(())
     }
 
@@ -64,8 +64,8 @@ impl Renderer<'_> {
     /// # Errors
     /// The plan has no such volume, or the device is lost.
     pub fn volume(&self, name: &str) -> Result<Vec<Texels>, Error> {
-        let Some((_, ranges, texture)) = self.volumes().find(|(volume, ..)| *volume == name) else {
-            let known = self.volumes().map(|(name, ..)| name.to_owned()).collect();
+        let Some((_, _, ranges, texture)) = self.volumes().find(|(_, volume, ..)| *volume == name) else {
+            let known = self.volumes().map(|(_, name, ..)| name.to_owned()).collect();
             return Err(Error::NoSuchImage { name: name.to_owned(), known });
         };
         (0..texture.mip_level_count()).map(|mip| read(self.gpu, texture, mip, ranges)).collect()

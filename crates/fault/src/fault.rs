@@ -114,6 +114,12 @@ impl Faults {
         self
     }
 
+    /// The faults of an input within another one: `change` says what the reader needs to know of that.
+    #[must_use]
+    pub fn map(self, change: impl Fn(Fault) -> Fault) -> Faults {
+        Faults(self.0.into_iter().map(change).collect())
+    }
+
     /// `value` where nothing is wrong.
     ///
     /// # Errors

@@ -31,20 +31,12 @@ impl StorageFormat for Isotropic {
     }
 
     fn misses(&self) -> &[Miss] {
-        &[
-            Miss {
-                property: Property::Sides,
-                at: "",
-                size: 0.5,
-                why: "both sides of a wall share one radiance: red and green make yellow (RAU figure 5.6)",
-            },
-            Miss {
-                property: Property::Ahead,
-                at: "",
-                size: 0.5,
-                why: "a cell that the apex lies in shows all that it has; cones keep to small ones instead",
-            },
-        ]
+        &[Miss {
+            property: Property::Sides,
+            at: "",
+            size: 0.5,
+            why: "both sides of a wall share one radiance: red and green make yellow (RAU figure 5.6)",
+        }]
     }
 
     fn twin(&self, _: &Choices) -> Option<Box<dyn Twin>> {

@@ -1,8 +1,8 @@
 //! Voxel storage formats: which volumes each needs and which WGSL modules it is made of.
 //!
 //! A format is a directional basis; an [`Encoding`] is how its numbers are stored. A format gives three WGSL
-//! modules under `package::format`: `store` with `voxel_store`, `sample` with `voxel_sample` and `voxel_sample_ahead`, and
-//! `mipmap` with `voxel_mipmap`. All numbers are premultiplied: radiance times opacity, and the opacity.
+//! modules under `package::format`: `store` with `voxel_store`, `sample` with `voxel_sample`, and `mipmap` with
+//! `voxel_mipmap`. All numbers are premultiplied: radiance times opacity, and the opacity.
 //!
 //! The built-in ones are in [`Formats::builtin`]; a format of another crate implements [`StorageFormat`] and
 //! is added with [`Formats::add`].

@@ -9,8 +9,6 @@ pub enum Property {
     Opaque,
     /// A wall between a red and a green room shows each its own colour (RAU figure 5.6). Over the radiance.
     Sides,
-    /// A cone doesn't see what lies behind its apex. Over the radiance there.
-    Ahead,
     /// What is seen over the sphere and all cells of a level, times a cell's face, stays what level 1 has. Relative.
     Energy,
     /// The radiance of a sum is the sum of the radiances. Over the brightest radiance.
@@ -32,7 +30,6 @@ impl Property {
             Property::Constant => "constant",
             Property::Opaque => "opaque",
             Property::Sides => "sides",
-            Property::Ahead => "ahead",
             Property::Energy => "energy",
             Property::Linear => "linear",
             Property::Symmetric => "symmetric",

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use crate::twin::{Beside, SeenAhead, Twin, Volumes, ahead_along};
+use crate::twin::{Twin, Volumes};
 use crate::{Choices, FormatOption, Miss, Numbers, Property, StorageFormat, Volume};
 
 /// See the module.
@@ -116,30 +116,13 @@ impl SixFaceTwin {
         value * if side == 1 { surface.back } else { surface.front }[axis]
     }
 
-    fn face(&self, volumes: &Volumes, axis: usize, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-        volumes.sample_block(self.faces(), face_of(axis, direction[axis] > 0.0), uvw, level)
-    }
-
     fn sample_faces(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
-        let value: DVec4 =
-            (0..3).map(|axis| direction[axis].abs() * self.face(volumes, axis, uvw, level, direction)).sum();
+        let face = |axis: usize| {
+            let face = face_of(axis, direction[axis] > 0.0);
+            direction[axis].abs() * volumes.sample_block(self.faces(), face, uvw, level)
+        };
+        let value: DVec4 = (0..3).map(face).sum();
         value / value.w.max(1.0)
-    }
-
-    fn see_faces_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        apex: DVec3,
-        before: DVec3,
-    ) -> SeenAhead {
-        let face = |axis, place| self.face(volumes, axis, place, level, direction);
-        let size = volumes.cells(self.faces(), level);
-        let beside = Beside { uvw, apex, side: ahead_along(direction), size };
-        let (behind, hidden) = beside.hidden(before, |axis, place| face(axis, place).w);
-        beside.see(hidden, behind, direction, face)
     }
 }
 
@@ -184,21 +167,5 @@ impl Twin for SixFaceTwin {
         }
         let coarse = self.sample_faces(volumes, uvw, (level - 1.0).max(0.0), direction);
         volumes.sample_over_base(0, uvw, level, coarse)
-    }
-
-    fn voxel_sample_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        apex: DVec3,
-        behind: DVec3,
-    ) -> SeenAhead {
-        if !self.isotropic_base() {
-            return self.see_faces_ahead(volumes, uvw, level, direction, apex, behind);
-        }
-        let coarse = self.see_faces_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
-        coarse.over_base(volumes, uvw, level)
     }
 }

@@ -1,13 +1,10 @@
 //! Formats worked out on the CPU in `f64`, to hold the WGSL against.
 
 mod coverage;
-mod seen_ahead;
 mod surface;
 mod volumes;
 
 pub use coverage::composite_coverage;
-pub(crate) use seen_ahead::Beside;
-pub use seen_ahead::{SeenAhead, ahead_along};
 pub use surface::{ATTRIBUTE_WORDS, VoxelSurface};
 pub use volumes::{Texels, Volumes};
 
@@ -23,20 +20,6 @@ pub trait Twin: Send + Sync {
 
     /// Premultiplied radiance that comes back along a ray of this unit direction of travel, and opacity.
     fn voxel_sample(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4;
-
-    /// The same for a cone with its apex at `apex`, `[0, 1]³`, of which earlier samples found so much `behind`
-    /// ([`SeenAhead::behind`]). Unless a format tells what lies behind, all lies ahead.
-    fn voxel_sample_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        _apex: DVec3,
-        _behind: DVec3,
-    ) -> SeenAhead {
-        SeenAhead::all(self.voxel_sample(volumes, uvw, level, direction))
-    }
 }
 
 /// The children of a cell: child i lies at (i & 1, i >> 1 & 1, i >> 2).

@@ -39,18 +39,6 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
             let message = format!("unknown layers `{}`", layers.value);
             faults.push(pipeline.fault(&layers.span, message, "one of: lights (a layer for each four)"));
         }
-        let described = [
-            pass.shows.as_ref().map(|shows| ("shows", &shows.span)),
-            pass.reference.as_ref().map(|reference| ("reference", &reference.span)),
-        ];
-        for (word, span) in described.into_iter().flatten().filter(|_| !is_image(kinds, pass)) {
-            let message = format!("pass `{}` makes no image that `{word}` could describe", pass.name);
-            faults.push(pipeline.fault(
-                span,
-                message,
-                "only a pass that makes an image for the screen has it",
-            ));
-        }
         if pass.interleave && pass.image.texel != ImageTexel::Rgba16Float {
             let message = format!("pass `{}` can't interleave {} texels", pass.name, pass.image.texel.name());
             faults.push(pipeline.fault(
@@ -67,6 +55,18 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
                 faults.push(pipeline.fault(&read.span, format!("`{name}` has no last value"), label));
             }
         }
+        let described = [
+            pass.shows.as_ref().map(|shows| ("shows", &shows.span)),
+            pass.reference.as_ref().map(|reference| ("reference", &reference.span)),
+        ];
+        for (word, span) in described.into_iter().flatten().filter(|_| !is_image(kinds, pass)) {
+            let message = format!("pass `{}` makes no image that `{word}` could describe", pass.name);
+            faults.push(pipeline.fault(
+                span,
+                message,
+                "only a pass that makes an image for the screen has it",
+            ));
+        }
         match kinds.get(run) {
             Some(kind) => check_ports(pipeline, pass, kind, &sorts, faults),
             None if pass.writes.len() != 1 => {
@@ -80,7 +80,7 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
 }
 
 /// What sort of thing each name is, by the pass that writes it.
-fn sorts(pipeline: &Pipeline, kinds: &Kinds) -> BTreeMap<String, Sort> {
+pub(crate) fn sorts(pipeline: &Pipeline, kinds: &Kinds) -> BTreeMap<String, Sort> {
     let mut sorts = BTreeMap::new();
     for entry in &pipeline.passes {
         for (name, port) in entry.writes.iter().zip(kinds.of(entry).writes()) {

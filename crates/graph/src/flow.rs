@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use voxlume_shader::{Access, BindingKind};
+use voxlume_shader::{Access, BindingKind, Shader};
 
 use crate::plan::{
     Bind, Groups, ParamSlot, Program, Resource, ResourceKind, Sources, Step, Target, Vertices,
@@ -49,14 +49,16 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
-    /// Of steps in this order, of a pass with these parameters. A resource is an input if a step reads it before any step of the pass has written it.
-    pub fn of(steps: &[Step], resources: &[Resource], params: &[ParamSlot]) -> Flow {
+    /// Of steps in this order, of a pass with these parameters. A resource is an input if a step reads it before any step of
+    /// the pass has written it.
+    pub fn of(steps: &[Step], shaders: &[Shader], resources: &[Resource], params: &[ParamSlot]) -> Flow {
         let mut flow = Flow::default();
         let mut written = BTreeSet::new();
         let mut inputs = BTreeSet::new();
         for step in steps {
             let touches = step.touches();
-            for index in touches.iter().filter(|touch| touch.reads).map(|touch| touch.resource) {
+            let read = touches.iter().filter(|touch| touch.reads && !is_only_written(step, touch, shaders));
+            for index in read.map(|touch| touch.resource) {
                 let resource = &resources[index];
                 match resource.kind {
                     ResourceKind::Scene => flow.depends(&resource.name),
@@ -88,8 +90,18 @@ impl Flow {
     }
 }
 
-/// How the uniform with a pass's parameters is called, after the pass's own name.
-pub(crate) const PARAMS_SUFFIX: &str = ".params";
+/// Whether the variable of a storage buffer that may be read and written is only written by the step's program. A buffer
+/// that passes use for their own ends, one after the other, is no input then.
+fn is_only_written(step: &Step, touch: &Touch, shaders: &[Shader]) -> bool {
+    let Some(program) = step.program().filter(|_| touch.writes) else { return false };
+    let shader = &shaders[program.shader];
+    let reads = |variable: &str| match step {
+        Step::Compute { .. } => shader.reads(program.entry, variable),
+        _ => shader.entry_points().iter().any(|entry| shader.reads(&entry.name, variable)),
+    };
+    let mut bound = program.binds.iter().filter(|bind| bind.target == Target::Resource(touch.resource));
+    bound.all(|bind| !reads(&bind.name))
+}
 
 /// A resource in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -21,8 +21,10 @@ mod plan;
 mod planner;
 mod probe;
 mod prune;
+mod registry;
 mod shown;
 mod storage;
+mod tracer;
 mod variant;
 
 pub use builtin::PIPELINES;
@@ -38,7 +40,9 @@ pub use plan::{
     Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,
     Resource, ResourceKind, Sources, Step, Target, Update, Vertices,
 };
-pub use planner::{Request, plan, plan_with};
+pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
+pub use registry::Registry;
 pub use shown::{Reference, Shows};
+pub use tracer::{CONES, Tracer, Tracers};
 pub use variant::check_variant;

@@ -5,6 +5,7 @@ use voxlume_fault::{Fault, Faults, one_of, suggest};
 use voxlume_scene::WORLD_LIMIT;
 use voxlume_shader::{Field, Shader, StructLayout};
 
+use crate::expansion::Context;
 use crate::pass::{PassKind, Values};
 use crate::pipeline::{Param, PassEntry, Pipeline, Value};
 use crate::plan::{ParamBytes, Plan};
@@ -138,8 +139,11 @@ impl<'a> Params<'a> {
             None => match self.find(&field.name) {
                 Some(param) => (param, 1.0),
                 None => {
-                    faults.push(self.missing(&field.name, describe(shader, field)));
-                    return None;
+                    let default = default(field).and_then(|value| encode(shader, field, &value, 1.0));
+                    if default.is_none() {
+                        faults.push(self.missing(&field.name, describe(shader, field)));
+                    }
+                    return default;
                 }
             },
         };
@@ -150,15 +154,17 @@ impl<'a> Params<'a> {
         bytes
     }
 
-    /// Reports every parameter that nobody read.
-    pub fn finish(self, faults: &mut Faults) {
+    /// Reports every parameter that nobody read. Of a pass that traces, another tracer may.
+    pub fn finish(self, traces: bool, context: &mut Context<'_>) {
         let known: Vec<&str> =
             self.asked.iter().map(String::as_str).filter(|name| !name.ends_with("_deg")).collect();
         for param in &self.entry.params {
-            if !self.asked.contains(&param.name) {
+            let is_asked = self.asked.contains(&param.name);
+            let is_traced = || context.trace_params().contains(&param.name);
+            if !is_asked && !(traces && is_traced()) {
                 let message = format!("pass `{}` has no parameter `{}`", self.entry.name, param.name);
                 let label = suggest(&param.name, known.iter().copied());
-                faults.push(self.pipeline.fault(&param.name_span, message, label));
+                context.faults.push(self.pipeline.fault(&param.name_span, message, label));
             }
         }
     }
@@ -181,8 +187,9 @@ pub(crate) fn rewrite(plan: &Plan, pass: &str, name: &str, value: &Value) -> Res
             format!("pass `{pass}` has no parameter `{name}` that can change without planning again");
         return Err(Fault::new(message).note(suggest(name, known)));
     };
-    let shader = &plan.shaders[slot.shader];
-    let layout = shader.struct_layout("Params");
+    let (shader, layout) = slot.shader;
+    let shader = &plan.shaders[shader];
+    let layout = shader.struct_layout(layout);
     let field = layout.as_ref().and_then(|layout| layout.fields.iter().find(|field| field.name == slot.name));
     let bytes = field.and_then(|field| Some((field, encode(shader, field, value, scale)?)));
     let Some((field, bytes)) = bytes else {
@@ -259,6 +266,16 @@ fn describe(shader: &Shader, field: &Field) -> String {
     // The comment says the range again.
     let doc = field.docs.replace(&format!(", {range}"), "");
     if doc.is_empty() { format!("{what}{within}") } else { format!("{what}{within}: {doc}") }
+}
+
+/// What a field's comment says that it is unless given: `1 unless given`, "`doubling` unless given".
+fn default(field: &Field) -> Option<Value> {
+    let before = &field.docs[..field.docs.find(" unless given")?];
+    let word = before.rsplit(' ').next()?;
+    match word.strip_prefix('`').and_then(|word| word.strip_suffix('`')) {
+        Some(word) => Some(Value::Word(word.to_owned())),
+        None => word.parse().ok().map(Value::Number),
+    }
 }
 
 /// The range that a field's comment gives, such as `[0, 1)`.

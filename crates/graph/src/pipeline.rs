@@ -14,6 +14,7 @@ use crate::grid::Extent;
 use crate::limits::TEXTURE_2D;
 use crate::plan::{ImageExtent, ImageTexel, Update};
 use crate::shown::{Reference, Shows, choice};
+use crate::tracer::CONES;
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub struct Pipeline {
     pub format: Located<String>,
     /// Name of the texel encoding.
     pub encoding: Located<String>,
+    /// Name of the tracer of passes that name none: [`CONES`](crate::CONES) unless given.
+    pub tracer: Located<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Located<u32>,
     /// What space the grid takes.
@@ -62,6 +65,8 @@ pub struct PassEntry {
     pub when: Option<Located<String>>,
     /// Layers of the image that it writes: one, or one for each four lights.
     pub layers: Option<Located<String>>,
+    /// Name of its tracer, instead of the pipeline's.
+    pub tracer: Option<Located<String>>,
     /// Other names under which its shader has what it reads: the graph's name and the shader's.
     pub aliases: Vec<(String, String)>,
     /// The image that an effect writes.
@@ -92,11 +97,6 @@ pub struct ImageWords {
 }
 
 impl PassEntry {
-    /// Whether it runs a WGSL file that makes one image, not a kind of pass.
-    pub fn is_effect(&self) -> bool {
-        self.run.value.starts_with("effect/") || self.run.value.ends_with(".wgsl")
-    }
-
     /// The value of a parameter, if the file gives it.
     pub fn param(&self, name: &str) -> Option<&Value> {
         self.params.iter().find(|param| param.name == name).map(|param| &param.value)
@@ -115,6 +115,11 @@ impl PassEntry {
     pub fn alias(&self, name: &str) -> String {
         let given = self.aliases.iter().find(|(known, _)| known == name);
         given.map_or_else(|| name.replace(LAST, "_last"), |(_, alias)| alias.clone())
+    }
+
+    /// Whether it runs a WGSL file that makes one image, not a kind of pass.
+    pub fn is_effect(&self) -> bool {
+        self.run.value.starts_with("effect/") || self.run.value.ends_with(".wgsl")
     }
 }
 
@@ -174,6 +179,7 @@ impl Pipeline {
         let mut fields = Fields::of(document.root())?;
         let format = located::<String>(&mut fields, "format", &mut faults);
         let encoding = located::<String>(&mut fields, "encoding", &mut faults);
+        let tracer = optional_word(&mut fields, "tracer", &mut faults);
         let resolution = located::<u32>(&mut fields, "resolution", &mut faults);
         let extent = match fields.node("grid") {
             Some(node) => faults.gather(extent(node)),
@@ -191,6 +197,7 @@ impl Pipeline {
                 source: Arc::clone(source),
                 format: format?,
                 encoding: encoding?,
+                tracer: tracer.unwrap_or_else(|| Located { value: CONES.name.to_owned(), span: None }),
                 resolution: resolution?,
                 extent: extent?,
                 separability: separability?,
@@ -230,6 +237,11 @@ fn located<T: voxlume_fault::ron::FromRon>(
     let node = fields.required_node(name, faults)?;
     let value = faults.gather(node.get())?;
     Some(Located { value, span: Some(node.span()) })
+}
+
+fn optional_word(fields: &mut Fields<'_>, name: &str, faults: &mut Faults) -> Option<Located<String>> {
+    let node = fields.node(name)?;
+    Some(Located { value: faults.gather(node.get())?, span: Some(node.span()) })
 }
 
 /// `(fit: "cubic")`, `(fit: "bounds")`, or `(min: (x, y, z), max: (x, y, z))`.
@@ -300,14 +312,11 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
     let interleave = fields.optional::<bool>("interleave", faults).unwrap_or(false);
+    let when = optional_word(&mut fields, "when", faults);
+    let layers = optional_word(&mut fields, "layers", faults);
+    let tracer = optional_word(&mut fields, "tracer", faults);
     let shows = choice(&mut fields, "shows", &Shows::WORDS, faults);
     let reference = choice(&mut fields, "reference", &Reference::WORDS, faults);
-    let mut word = |name: &str, faults: &mut Faults| {
-        let node = fields.node(name)?;
-        Some(Located { value: faults.gather(node.get())?, span: Some(node.span()) })
-    };
-    let when = word("when", faults);
-    let layers = word("layers", faults);
     let params: Vec<Param> = match fields.node("params").map(|node| faults.gather(node.fields())) {
         Some(Some(list)) => list
             .iter()
@@ -343,6 +352,7 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
         updates,
         when,
         layers,
+        tracer,
         aliases,
         image,
         update,

@@ -15,6 +15,8 @@ pub struct Plan {
     pub format: String,
     /// Its texel encoding.
     pub encoding: Encoding,
+    /// Name of the tracer of passes that name none.
+    pub tracer: String,
     /// The first voxel grid, whose centre is the scene's origin.
     pub grid: Grid,
     /// Width and height of the image in pixels.
@@ -276,8 +278,8 @@ pub struct ParamSlot {
     pub name: String,
     /// The buffer, in [`Plan::resources`].
     pub resource: usize,
-    /// The shader whose `Params` says what it takes, in [`Plan::shaders`].
-    pub shader: usize,
+    /// The shader that says what it takes, in [`Plan::shaders`], and its struct: `Params` or `TraceParams`.
+    pub shader: (usize, &'static str),
     /// Whether the plan left something out for its value: another value needs another plan.
     pub fixed: bool,
 }

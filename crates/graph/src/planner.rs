@@ -3,7 +3,6 @@
 use std::path::{Component, Path};
 
 use voxlume_fault::{Fault, Faults, Source, suggest};
-use voxlume_format::Formats;
 use voxlume_shader::Library;
 
 use crate::bundle::Bundle;
@@ -16,12 +15,12 @@ use crate::grid::Grid;
 use crate::limits;
 use crate::live::{explain_branches, live, uses_area_lights};
 use crate::order::{Makers, order};
-use crate::pass::Kinds;
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
 use crate::plan::{Pass, Plan, Target};
 use crate::prune::prune;
+use crate::registry::Registry;
 use crate::storage::Storage;
-use crate::variant;
+use crate::{tracer, variant};
 
 /// What is asked for beside the pipeline's file. Words that are given replace the file's.
 #[derive(Clone, Debug)]
@@ -30,6 +29,8 @@ pub struct Request {
     pub format: Option<String>,
     /// Texel encoding with its options: `rgba8:range=8`.
     pub encoding: Option<String>,
+    /// Tracer of passes that name none.
+    pub tracer: Option<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Option<u32>,
     /// The image to make.
@@ -51,6 +52,7 @@ impl Request {
         Request {
             format: None,
             encoding: None,
+            tracer: None,
             resolution: None,
             output: None,
             set: Vec::new(),
@@ -68,29 +70,15 @@ impl Request {
 pub fn plan(
     pipeline: &Pipeline,
     facts: &SceneFacts,
-    formats: &Formats,
-    library: &Library,
-    request: &Request,
-) -> Result<Plan, Faults> {
-    plan_with(pipeline, facts, &Kinds::builtin(), formats, library, request)
-}
-
-/// As [`plan`], with kinds of passes from other crates.
-///
-/// # Errors
-/// As [`plan`].
-pub fn plan_with(
-    pipeline: &Pipeline,
-    facts: &SceneFacts,
-    kinds: &Kinds,
-    formats: &Formats,
-    library: &Library,
+    registry: &Registry,
     request: &Request,
 ) -> Result<Plan, Faults> {
     let mut faults = Faults::default();
     let mut pipeline = pipeline.clone();
     apply(&mut pipeline, request, &mut faults);
+    let Registry { formats, kinds, tracers, library } = registry;
     let library = with_own_effects(&pipeline, library, &mut faults);
+    tracer::resolve(&mut pipeline, kinds, tracers, &mut faults);
     let pipeline = &pipeline;
 
     let format = variant::format(pipeline, &pipeline.format, formats, &mut faults);
@@ -123,7 +111,8 @@ pub fn plan_with(
     let storage = Storage::new(format, choices, encoding, filters_float32);
     let plan_format = storage.word();
     let screen = request.screen;
-    let given = Given { pipeline, facts, kinds, formats, library: &library, screen, filters_float32 };
+    let given =
+        Given { pipeline, facts, kinds, formats, tracers, library: &library, screen, filters_float32 };
     let mut context = Context::new(given, storage, grid, area_lights);
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();
@@ -151,6 +140,7 @@ pub fn plan_with(
     let plan = Plan {
         format: plan_format,
         encoding,
+        tracer: pipeline.tracer.value.clone(),
         grid: grids.swap_remove(0),
         screen,
         triangles: facts.triangles,
@@ -176,6 +166,7 @@ fn apply(pipeline: &mut Pipeline, request: &Request, faults: &mut Faults) {
     };
     replace(&mut pipeline.format, &request.format);
     replace(&mut pipeline.encoding, &request.encoding);
+    replace(&mut pipeline.tracer, &request.tracer);
     replace(&mut pipeline.output, &request.output);
     if let Some(value) = request.resolution {
         pipeline.resolution = Located { value, span: None };
@@ -228,7 +219,8 @@ fn finished(entry: &PassEntry, expanded: Expanded, context: &Context<'_>) -> Vec
     let parts = parts.into_iter().filter(|(_, steps, ..)| !steps.is_empty());
     parts
         .map(|(name, steps, params, never_moves)| {
-            let Flow { mut sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+            let Flow { mut sources, inputs, outputs } =
+                Flow::of(&steps, &context.shaders, &context.resources, &params);
             sources.geometry &= context.facts.moving_triangles > 0 && !never_moves;
             let (reads, writes, update) = (reads.clone(), writes.clone(), entry.update);
             let has_input = |name: &str| {

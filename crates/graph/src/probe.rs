@@ -16,6 +16,7 @@ use crate::pass::{Kinds, PassKind, Port, Sort, attribute_stride};
 use crate::pipeline::Pipeline;
 use crate::plan::{Pass, Plan, ResourceKind, Target, Update};
 use crate::storage::Storage;
+use crate::tracer::Tracers;
 
 /// How much a [`probe`] holds.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +33,7 @@ pub struct ProbeSize {
     pub filters_float32: bool,
 }
 
-const PROBE_BYTES: u64 = 64;
+const PROBE_BYTES: u64 = 32;
 
 const PIPELINE: &str = r#"(
     format: "given", encoding: "given", resolution: 16, separability: "conservative", output: "probed",
@@ -76,8 +77,7 @@ impl PassKind for Probe {
 
 /// Plans what `filter` does for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
 /// `levels`, `attributes` (12 words a voxel, the last its opacity) and `radiance`, and then samples the volume as
-/// `probes` says into `probed`: 64 bytes (uvw, level; direction of travel, apex and what lies behind it, each with padding) and
-/// 48 bytes (`voxel_sample`; of `voxel_sample_ahead` the value, what lies behind, and the opacity known) a sample.
+/// `probes` says into `probed`: 32 bytes (uvw, level, direction of travel, padding) and 16 bytes (`voxel_sample`) a sample.
 ///
 /// # Errors
 /// Every fault of the format's shaders.
@@ -95,12 +95,14 @@ pub fn probe(
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
     let mut kinds = Kinds::builtin();
     kinds.add(Probe { samples: size.samples });
+    let tracers = Tracers::builtin();
     let (formats, filters_float32) = (Formats::builtin(), size.filters_float32);
     let given = Given {
         pipeline: &pipeline,
         facts: &facts,
         kinds: &kinds,
         formats: &formats,
+        tracers: &tracers,
         library,
         screen: [1, 1],
         filters_float32,
@@ -125,7 +127,7 @@ pub fn probe(
     let mut buffer = |name, bytes| context.resource(name, ResourceKind::Buffer(bytes));
     let radiance = buffer("radiance", size.voxels * 16);
     buffer("probes", samples * PROBE_BYTES);
-    let output = buffer("probed", samples * 48);
+    let output = buffer("probed", samples * 16);
     context.bundles.insert("voxels".into(), voxels);
     context.bundles.insert("radiance".into(), Bundle::of("direct", Target::Resource(radiance)));
     let mut passes = Vec::new();
@@ -133,7 +135,8 @@ pub fn probe(
         let mut expansion = Expansion::new(&mut context, entry);
         kinds.of(entry).expand(&mut expansion);
         let Expanded { steps, params, .. } = expansion.finish();
-        let Flow { sources, inputs, outputs } = Flow::of(&steps, &context.resources, &params);
+        let Flow { sources, inputs, outputs } =
+            Flow::of(&steps, &context.shaders, &context.resources, &params);
         let (name, update) = (entry.name.clone(), Update::Changed);
         passes.push(Pass {
             name,
@@ -152,6 +155,7 @@ pub fn probe(
     faults.into_result(Plan {
         format: format.name().to_owned(),
         encoding,
+        tracer: pipeline.tracer.value.clone(),
         grid: grids.swap_remove(0),
         screen: [1, 1],
         triangles: 0,

@@ -300,14 +300,8 @@ fn the_cornell_box_explained() {
 fn an_output_that_the_scene_leaves_out_is_a_fault_with_its_reason() {
     let facts = SceneFacts { glossy: false, ..rich() };
     let request = Request { output: Some("specular".into()), ..request() };
-    let faults = voxlume_graph::plan(
-        &gi(),
-        &facts,
-        &Formats::builtin(),
-        &voxlume_shader::Library::builtin(),
-        &request,
-    )
-    .unwrap_err();
+    let faults =
+        voxlume_graph::plan(&gi(), &facts, &voxlume_graph::Registry::builtin(), &request).unwrap_err();
     assert_eq!(faults.to_string(), "error: this scene has no `specular`\n = no material is glossy");
 }
 

@@ -10,10 +10,10 @@ mod truth;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use voxlume::Pipeline;
+use voxlume::{Pipeline, Registry};
 use voxlume_report::Results;
 
-use crate::{Error, Progress, Registry};
+use crate::{Error, Progress};
 
 /// What to compare: a cell for each scene, effect, format, encoding and resolution.
 pub struct Sweep<'a> {
@@ -27,6 +27,8 @@ pub struct Sweep<'a> {
     pub camera: Option<String>,
     /// Storage formats, or `all`.
     pub formats: Vec<String>,
+    /// Tracer of passes that name none; the pipeline's if `None`.
+    pub tracer: Option<String>,
     /// Texel encodings, or `all`; the pipeline's if there are none.
     pub encodings: Vec<String>,
     /// Voxels along the grid's longest side.

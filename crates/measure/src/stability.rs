@@ -8,10 +8,10 @@ mod sweep;
 
 use std::sync::atomic::AtomicBool;
 
-use voxlume::Pipeline;
+use voxlume::{Pipeline, Registry};
 use voxlume_report::Stability;
 
-use crate::{Error, Progress, Registry};
+use crate::{Error, Progress};
 
 pub use cases::Case;
 pub use sweep::all as cases;

@@ -4,14 +4,11 @@ use glam::{DVec3, Vec3, Vec4Swizzles};
 use voxlume_fault::{Fault, Faults};
 
 use crate::limit::{Budget, TRIANGLE_BYTES, VERTEX_BYTES};
-use crate::rule;
-use crate::{Animation, Camera, Key, Light, LightKind, Material, Mesh, Scene};
+use crate::rule::{self, UNIT};
+use crate::{Animation, Camera, Instance, Key, Light, LightKind, Material, Mesh, Scene};
 
 /// How far from the world's origin anything may reach: beyond it, squares of lengths leave `f32`.
 pub const WORLD_LIMIT: f64 = 1e15;
-
-/// How far from 1 the squared length of a unit vector may be: `f32`'s rounding of a few operations, with room.
-const UNIT: f32 = 1e-3;
 
 impl Scene {
     /// Checks a scene that was made or changed in memory; loaded ones are checked already. Of each part it tells the first
@@ -22,35 +19,20 @@ impl Scene {
     /// more than [`MEMORY_LIMIT`](crate::MEMORY_LIMIT) or reach beyond [`WORLD_LIMIT`].
     pub fn check(&self) -> Result<(), Faults> {
         let mut faults = Faults::default();
-        let mut part = |kind: &str, index: usize, name: &str, checked: Result<(), String>| {
-            if let Err(message) = checked {
-                faults.push(Fault::new(format!("{kind} {index}, `{name}`: {message}")));
-            }
-        };
         for (index, material) in self.materials.iter().enumerate() {
-            part("material", index, &material.name, material.check(self.textures.len()));
+            part(&mut faults, "material", index, &material.name, material.check(self.textures.len()));
         }
         for (index, texture) in self.textures.iter().enumerate() {
             let texels = u64::from(texture.width) * u64::from(texture.height);
             let is_whole =
                 texels > 0 && texture.rgba.len() as u64 / 4 == texels && texture.rgba.len() % 4 == 0;
-            part("texture", index, &texture.name, holds(is_whole, "it has other than width × height texels"));
+            let checked = holds(is_whole, "it has other than width × height texels");
+            part(&mut faults, "texture", index, &texture.name, checked);
         }
         for (index, mesh) in self.meshes.iter().enumerate() {
-            part("mesh", index, &mesh.name, mesh.check(self.materials.len()));
+            part(&mut faults, "mesh", index, &mesh.name, mesh.check(self.materials.len()));
         }
-        for (index, instance) in self.instances.iter().enumerate() {
-            let checked = below(instance.mesh, self.meshes.len(), "mesh")
-                .and_then(|()| holds(instance.transform.is_finite(), "its transform is not finite"));
-            part("instance", index, &instance.name, checked);
-        }
-        for (index, light) in self.lights.iter().enumerate() {
-            part("light", index, &light.name, light.check());
-        }
-        for (index, camera) in self.cameras.iter().enumerate() {
-            part("camera", index, &camera.name, camera.check());
-        }
-        faults.gather(rule::check(rule::LIGHT, "`sky`", self.sky).map_err(Fault::new));
+        self.check_poses(&mut faults);
         let Animation { instances, lights, cameras } = &self.animation;
         let paths = (instances.iter().map(|m| ("instance", m.index, self.instances.len(), &m.path)))
             .chain(lights.iter().map(|m| ("light", m.index, self.lights.len(), &m.path)))
@@ -66,6 +48,60 @@ impl Scene {
         Ok(self.within_limits()?)
     }
 
+    /// Checks what may differ from one frame to the next: transforms and what follows them, lights, cameras and the sky. Of
+    /// a scene that has passed [`Scene::check`] and changed in no more than these, this says as much in less time.
+    ///
+    /// # Errors
+    /// As [`Scene::check`].
+    pub fn check_frame(&self) -> Result<(), Faults> {
+        let mut faults = Faults::default();
+        self.check_poses(&mut faults);
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            let material = below(mesh.material, self.materials.len(), "material");
+            part(&mut faults, "mesh", index, &mesh.name, material);
+        }
+        faults.into_result(())?;
+        let mut faults = Faults::default();
+        for instance in &self.instances {
+            let mesh = &self.meshes[instance.mesh];
+            let shines = self.materials[mesh.material].emission != Vec3::ZERO;
+            if instance.moving || shines {
+                part(&mut faults, "mesh", instance.mesh, &mesh.name, mesh.check(self.materials.len()));
+            }
+        }
+        faults.into_result(())?;
+        for instance in self.instances.iter().filter(|instance| instance.moving) {
+            instance.within_world(&self.meshes[instance.mesh])?;
+        }
+        Ok(self.places_within_world()?)
+    }
+
+    /// Of lights and cameras.
+    fn places_within_world(&self) -> Result<(), Fault> {
+        let lights = self.lights.iter().filter_map(|light| Some((&light.name, light.position()?)));
+        let cameras = self.cameras.iter().map(|camera| (&camera.name, camera.eye));
+        match lights.chain(cameras).find(|(_, place)| beyond((*place, *place))) {
+            Some((name, _)) => Err(Fault::new(format!("`{name}` lies beyond {WORLD_LIMIT:e} units"))),
+            None => Ok(()),
+        }
+    }
+
+    /// Instances, lights, cameras and the sky, one by one.
+    fn check_poses(&self, faults: &mut Faults) {
+        for (index, instance) in self.instances.iter().enumerate() {
+            let checked = below(instance.mesh, self.meshes.len(), "mesh")
+                .and_then(|()| holds(instance.transform.is_finite(), "its transform is not finite"));
+            part(faults, "instance", index, &instance.name, checked);
+        }
+        for (index, light) in self.lights.iter().enumerate() {
+            part(faults, "light", index, &light.name, light.check());
+        }
+        for (index, camera) in self.cameras.iter().enumerate() {
+            part(faults, "camera", index, &camera.name, camera.checked());
+        }
+        faults.gather(rule::check(rule::LIGHT, "`sky`", self.sky).map_err(Fault::new));
+    }
+
     /// Memory and reach.
     pub(crate) fn within_limits(&self) -> Result<(), Fault> {
         let mut budget = Budget::new();
@@ -76,17 +112,9 @@ impl Scene {
             let mesh = &self.meshes[instance.mesh];
             budget.take(mesh.positions.len() as u64, VERTEX_BYTES)?;
             budget.take(mesh.triangles.len() as u64, TRIANGLE_BYTES)?;
-            // Entries that large could cancel each other's overflow into a NaN.
-            let wild = instance.transform.to_cols_array().iter().any(|entry| entry.abs() > 1e100);
-            if wild || instance.bounds(mesh).is_some_and(beyond) {
-                return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", instance.name)));
-            }
+            instance.within_world(mesh)?;
         }
-        let lights = self.lights.iter().filter_map(|light| Some((&light.name, light.position()?)));
-        let cameras = self.cameras.iter().map(|camera| (&camera.name, camera.eye));
-        if let Some((name, _)) = lights.chain(cameras).find(|(_, place)| beyond((*place, *place))) {
-            return Err(Fault::new(format!("`{name}` lies beyond {WORLD_LIMIT:e} units")));
-        }
+        self.places_within_world()?;
         for moved in &self.animation.instances {
             let instance = &self.instances[moved.index];
             let wild =
@@ -97,6 +125,23 @@ impl Scene {
             }
         }
         Ok(())
+    }
+}
+
+impl Instance {
+    fn within_world(&self, mesh: &Mesh) -> Result<(), Fault> {
+        // Entries that large could cancel each other's overflow into a NaN.
+        let wild = self.transform.to_cols_array().iter().any(|entry| entry.abs() > 1e100);
+        if wild || self.bounds(mesh).is_some_and(beyond) {
+            return Err(Fault::new(format!("`{}` reaches beyond {WORLD_LIMIT:e} units", self.name)));
+        }
+        Ok(())
+    }
+}
+
+fn part(faults: &mut Faults, kind: &str, index: usize, name: &str, checked: Result<(), String>) {
+    if let Err(message) = checked {
+        faults.push(Fault::new(format!("{kind} {index}, `{name}`: {message}")));
     }
 }
 
@@ -112,11 +157,6 @@ fn holds(is: bool, else_message: &str) -> Result<(), String> {
 
 fn below(index: usize, count: usize, what: &str) -> Result<(), String> {
     if index < count { Ok(()) } else { Err(format!("it names {what} {index} of {count}")) }
-}
-
-/// NaN is not.
-fn is_unit(v: Vec3) -> bool {
-    (v.length_squared() - 1.0).abs() < UNIT
 }
 
 impl Key {
@@ -177,26 +217,36 @@ impl Light {
     fn check(&self) -> Result<(), String> {
         rule::check(rule::LIGHT, "`intensity`", self.intensity)?;
         match self.kind {
-            LightKind::Directional { angular_diameter, .. } => {
-                rule::check(rule::ANGULAR_DIAMETER, "`angular_diameter`", angular_diameter)?;
+            LightKind::Directional { direction, angular_diameter } => {
+                rule::check(rule::DIRECTION, "`direction`", direction)?;
+                rule::check(rule::ANGULAR_DIAMETER, "`angular_diameter`", angular_diameter)
             }
-            LightKind::Point { radius, .. } => rule::check(rule::SIZE, "`radius`", radius)?,
-            LightKind::Spot { radius, inner, outer, .. } => {
+            LightKind::Point { radius, .. } => rule::check(rule::SIZE, "`radius`", radius),
+            LightKind::Spot { direction, radius, inner, outer, .. } => {
+                rule::check(rule::DIRECTION, "`direction`", direction)?;
                 rule::check(rule::SIZE, "`radius`", radius)?;
-                rule::check_spot(inner, outer)?;
+                rule::check_spot(inner, outer)
             }
         }
-        if let LightKind::Directional { direction, .. } | LightKind::Spot { direction, .. } = &self.kind {
-            holds(is_unit(*direction), "its direction is not of length 1")?;
-        }
-        Ok(())
     }
 }
 
 impl Camera {
-    fn check(&self) -> Result<(), String> {
-        let upright = is_unit(self.forward) && is_unit(self.up) && self.forward.dot(self.up).abs() < UNIT;
-        holds(upright, "forward and up must be of length 1 and at right angles")?;
+    /// Checks a camera that was made or changed in memory.
+    ///
+    /// # Errors
+    /// A number is not finite or out of its range, or the directions are not of length 1 and at right angles.
+    pub fn check(&self) -> Result<(), Fault> {
+        let placed =
+            || holds(!beyond((self.eye, self.eye)), &format!("it lies beyond {WORLD_LIMIT:e} units"));
+        let checked = self.checked().and_then(|()| placed());
+        checked.map_err(|message| Fault::new(format!("camera `{}`: {message}", self.name)))
+    }
+
+    fn checked(&self) -> Result<(), String> {
+        rule::check(rule::DIRECTION, "`forward`", self.forward)?;
+        rule::check(rule::DIRECTION, "`up`", self.up)?;
+        holds(self.forward.dot(self.up).abs() < UNIT, "`forward` and `up` must be at right angles")?;
         rule::check(rule::VERTICAL_FOV, "`vertical_fov`", self.vertical_fov)
     }
 }

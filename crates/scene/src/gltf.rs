@@ -46,6 +46,7 @@ use gltf::json::Root;
 use voxlume_fault::{Fault, Faults};
 
 use crate::limit::{Budget, read_file};
+use crate::load::in_file;
 use crate::{Instance, Material, Scene};
 
 /// Radiance of the sky over a glTF file that has no light of its own, W·m⁻²·sr⁻¹.
@@ -53,17 +54,9 @@ pub const DEFAULT_SKY: f32 = 1.0;
 
 /// Reads a file. Cameras are only those in the file.
 pub(crate) fn load(path: &Path) -> Result<Scene, Faults> {
-    let in_file = |fault: Fault| {
-        let message = format!("`{}`: {}", path.display(), fault.message);
-        Fault { message, ..fault }
-    };
     let bytes = read_file(path).map_err(Fault::new)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut scene = read(&bytes, folder).map_err(|faults| {
-        let mut named = Faults::default();
-        named.extend(faults.into_iter().map(in_file));
-        named
-    })?;
+    let mut scene = read(&bytes, folder).map_err(|faults| faults.map(|fault| in_file(path, fault)))?;
     scene.name = crate::load::stem(path);
     Ok(scene)
 }

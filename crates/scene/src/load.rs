@@ -30,7 +30,7 @@ impl Scene {
                 return Err(fault.note(one_of(["ron", "gltf", "glb"])).into());
             }
         };
-        finish(&mut scene).map_err(|fault| Fault::new(format!("`{}`: {}", path.display(), fault.message)))?;
+        finish(&mut scene).map_err(|fault| in_file(path, fault))?;
         Ok(scene)
     }
 
@@ -40,7 +40,7 @@ impl Scene {
     /// As [`Scene::load`].
     pub fn parse(source: &Arc<Source>) -> Result<Scene, Faults> {
         let mut scene = ron::read(source, Path::new(&source.name))?;
-        finish(&mut scene).map_err(|fault| Fault::new(format!("`{}`: {}", source.name, fault.message)))?;
+        finish(&mut scene).map_err(|fault| in_file(Path::new(&source.name), fault))?;
         Ok(scene)
     }
 }
@@ -48,6 +48,11 @@ impl Scene {
 /// The file's stem.
 pub(crate) fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// A fault of a whole file, which has no place in a text.
+pub(crate) fn in_file(path: &Path, fault: Fault) -> Fault {
+    Fault { message: format!("`{}`: {}", path.display(), fault.message), ..fault }
 }
 
 fn finish(scene: &mut Scene) -> Result<(), Fault> {

@@ -5,6 +5,9 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec3, Vec4};
 
+/// How far from 1 the squared length of a unit vector may be: `f32`'s rounding of a few operations, with room.
+pub(crate) const UNIT: f32 = 1e-3;
+
 /// What a value must be, and how a message says so.
 pub(crate) type Rule<T> = (fn(T) -> bool, &'static str);
 
@@ -18,6 +21,8 @@ pub(crate) const LIGHT: Rule<Vec3> = (|v| v.is_finite() && v.min_element() >= 0.
 pub(crate) const SIZE: Rule<f32> = (|v| v.is_finite() && v >= 0.0, "finite and at least 0");
 /// Of a normal map's scale.
 pub(crate) const FINITE: Rule<f32> = (f32::is_finite, "finite");
+/// Of a direction.
+pub(crate) const DIRECTION: Rule<Vec3> = (|v| (v.length_squared() - 1.0).abs() < UNIT, "of length 1");
 /// Of a far light's full angle, in radians.
 pub(crate) const ANGULAR_DIAMETER: Rule<f32> = (|v| (0.0..PI).contains(&v), "at least 0° and below 180°");
 /// Of a camera's full angle, in radians.

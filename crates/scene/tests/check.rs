@@ -83,7 +83,7 @@ fn each_part_is_checked() {
         (|s| set_spot(s, |position, _, _, _| *position = DVec3::NAN), "`spot` lies beyond 1e15 units"),
         (
             |s| set_spot(s, |_, direction, _, _| *direction = Vec3::ZERO),
-            "light 0, `spot`: its direction is not of length 1",
+            "light 0, `spot`: `direction` must be of length 1",
         ),
         (
             |s| set_spot(s, |_, _, radius, _| *radius = -1.0),
@@ -94,10 +94,7 @@ fn each_part_is_checked() {
             "light 0, `spot`: the outer angle must be above 0° and at most 90°",
         ),
         (|s| s.cameras[0].eye.x = f64::NAN, "`front` lies beyond 1e15 units"),
-        (
-            |s| s.cameras[0].up = Vec3::Z,
-            "camera 0, `front`: forward and up must be of length 1 and at right angles",
-        ),
+        (|s| s.cameras[0].up = Vec3::Z, "camera 0, `front`: `forward` and `up` must be at right angles"),
         (
             |s| s.cameras[0].vertical_fov = 4.0,
             "camera 0, `front`: `vertical_fov` must be above 0° and below 180°",

@@ -61,12 +61,6 @@ const MISSES: &[Miss] = &[
         why: "three bands of a lobe are 1.0625 ahead and 0.0625 behind: 1/18 of what is seen is the other side's",
     },
     Miss {
-        property: Property::Ahead,
-        at: "",
-        size: 0.5,
-        why: "sides of three axes share nine numbers, so what lies behind can't be left out",
-    },
-    Miss {
         property: Property::Energy,
         at: "wall, level 0",
         size: 0.77,

@@ -1,13 +1,8 @@
 // The coefficients' sum in the direction that the observer is in. What is more than opaque counts as opaque.
 
 import package::common::isotropic_base::sample_over_base;
-import package::common::seen_ahead::{SeenAhead, all_ahead};
 import package::common::volume::sample_block;
 import package::format::basis::{BANDS, harmonic};
-
-// Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
-// that it leaves.
-const VOXEL_ONE_SIDED = true;
 
 var base: texture_3d<f32>;
 var nine: texture_3d<f32>;
@@ -28,8 +23,4 @@ fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
         return coarse;
     }
     return sample_over_base(base, uvw, level, coarse);
-}
-
-fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead {
-    return all_ahead(voxel_sample(uvw, level, direction));
 }

@@ -10,6 +10,7 @@ use voxlume_fault::{Fault, Faults, Place, nearest};
 use crate::explain::{reason, statement, subject};
 use crate::linked::Linked;
 use crate::module::{Location, Module};
+use crate::mount::below;
 use crate::subset;
 use crate::token::{Cursor, Kind};
 
@@ -28,6 +29,13 @@ pub struct Shader {
     /// What naga's validator found out about it.
     pub info: ModuleInfo,
     pub(crate) modules: Vec<Arc<Module>>,
+}
+
+impl Shader {
+    /// Whether it has a module at `path`, or below it.
+    pub fn links(&self, path: &str) -> bool {
+        self.modules.iter().any(|module| below(&module.path, path).is_some())
+    }
 }
 
 impl Linked {

@@ -41,32 +41,45 @@ pub const EFFECT: Contract = Contract {
 };
 
 /// How a storage format is sampled: premultiplied radiance coming back along the direction of travel, and
-/// opacity; and the same for a cone, without what lies behind its apex.
+/// opacity.
 pub const FORMAT_SAMPLE: Contract = Contract {
     what: "format",
     modules: "format/*/sample",
+    functions: &[Requirement {
+        name: "voxel_sample",
+        arguments: &[("uvw", "vec3f"), ("level", "f32"), ("direction", "vec3f")],
+        result: Some("vec4f"),
+    }],
+};
+
+/// What a tracer meets in the scene: of a trace as wide as a cone whose half aperture has this sine, premultiplied radiance,
+/// opacity and the distance of the first hit; and its opacity alone, in less time, which loses weight with the distance t as
+/// 1/(1 + `falloff`·t). Lengths are voxels.
+pub const TRACER: Contract = Contract {
+    what: "tracer",
+    modules: "tracer/*/trace",
     functions: &[
         Requirement {
-            name: "voxel_sample",
-            arguments: &[("uvw", "vec3f"), ("level", "f32"), ("direction", "vec3f")],
-            result: Some("vec4f"),
+            name: "trace_gather",
+            arguments: &[("apex", "Apex"), ("direction", "vec3f"), ("half_sine", "f32"), ("reach", "Reach")],
+            result: Some("Gathered"),
         },
         Requirement {
-            name: "voxel_sample_ahead",
+            name: "trace_opacity",
             arguments: &[
-                ("uvw", "vec3f"),
-                ("level", "f32"),
+                ("apex", "Apex"),
                 ("direction", "vec3f"),
-                ("apex", "vec3f"),
-                ("behind", "vec3f"),
+                ("half_sine", "f32"),
+                ("reach", "Reach"),
+                ("falloff", "f32"),
             ],
-            result: Some("SeenAhead"),
+            result: Some("f32"),
         },
     ],
 };
 
 /// Every contract.
-pub const CONTRACTS: [Contract; 2] = [EFFECT, FORMAT_SAMPLE];
+pub const CONTRACTS: [Contract; 3] = [EFFECT, FORMAT_SAMPLE, TRACER];
 
 impl Contract {
     /// The contract that a module at this path must fulfil.

@@ -1,6 +1,6 @@
 //! WGSL modules: linked, checked with naga, reflected.
 //!
-//! A module is a WGSL file that may begin with imports, `import package::common::cone::{cone_trace, Cone};`,
+//! A module is a WGSL file that may begin with imports, `import package::common::trace::{Apex, Reach};`,
 //! a strict subset of WESL's. Its resource variables have names and no numbers: `var<uniform> frame: Frame;`. [`link`]
 //! makes one text of a module and all that it imports, names as written, and gives each resource its `@group` and `@binding`;
 //! [`Linked::check`] has naga validate it for a device without optional WebGPU features; the [`Shader`] that
@@ -49,7 +49,7 @@ mod words;
 pub use binding::{Access, Binding, BindingKind, SampleKind, TextureDim};
 pub use check::Shader;
 pub use check_all::check_all;
-pub use contract::{CONTRACTS, Contract, EFFECT, FORMAT_SAMPLE, Requirement};
+pub use contract::{CONTRACTS, Contract, EFFECT, FORMAT_SAMPLE, Requirement, TRACER};
 pub use layout::{Field, StructLayout};
 pub use library::Library;
 pub use link::link;

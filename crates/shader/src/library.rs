@@ -7,7 +7,7 @@ use voxlume_fault::Source;
 
 use crate::module::Module;
 
-/// Modules by path, such as `common/cone`, `format/isotropic/sample`, `effect/diffuse`, `pass/light`.
+/// Modules by path, such as `common/grid`, `format/isotropic/sample`, `effect/diffuse`, `pass/light`.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     modules: BTreeMap<String, Arc<Module>>,
@@ -15,7 +15,7 @@ pub struct Library {
 
 impl Library {
     /// The modules that come with Voxlume: every file of its `wgsl` folder. Their sources are named
-    /// after it: `wgsl/common/cone.wgsl`.
+    /// after it: `wgsl/common/grid.wgsl`.
     pub fn builtin() -> Library {
         const MODULES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/builtin.rs"));
         let mut library = Library::empty();

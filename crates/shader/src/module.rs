@@ -14,7 +14,7 @@ use crate::token::{Cursor, Kind};
 /// A module as its text shows it, before any other module is known.
 #[derive(Debug)]
 pub(crate) struct Module {
-    /// `common/cone`
+    /// `common/grid`
     pub path: String,
     pub source: Arc<Source>,
     pub imports: Vec<Import>,
@@ -72,7 +72,7 @@ impl Module {
     }
 }
 
-/// `wgsl/common/cone.wgsl:3:7`, as notes give places beside the first.
+/// `wgsl/common/grid.wgsl:3:7`, as notes give places beside the first.
 pub(crate) struct Location<'a>(pub &'a Source, pub usize);
 
 impl fmt::Display for Location<'_> {

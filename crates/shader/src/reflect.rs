@@ -1,6 +1,7 @@
 //! What a shader asks of the program that runs it.
 
 use naga::ShaderStage;
+use naga::valid::GlobalUse;
 
 use crate::binding::{Binding, binding};
 use crate::check::Shader;
@@ -75,6 +76,15 @@ impl Shader {
         let mut bindings: Vec<_> = used.filter_map(|(handle, _)| binding(self, info, handle)).collect();
         bindings.sort_by_key(|binding| (binding.group, binding.binding));
         bindings
+    }
+
+    /// Whether an entry point may read a variable, its atomics included, and not just write to it.
+    pub fn reads(&self, entry: &str, variable: &str) -> bool {
+        let index = self.module.entry_points.iter().position(|point| point.name == entry);
+        let mut named = self.module.global_variables.iter();
+        let named = named.find(|(_, global)| global.name.as_deref() == Some(variable));
+        let using = index.zip(named).map(|(index, (handle, _))| self.info.get_entry_point(index)[handle]);
+        using.is_some_and(|using| using.intersects(GlobalUse::READ | GlobalUse::ATOMIC))
     }
 
     /// The overrides, in the order of the text.

@@ -131,13 +131,11 @@ impl<'a> Walker<'a> {
             }
             Kind::Symbol('@') => {
                 let attribute = self.cursor.word().map(|word| self.cursor.text_of(word));
-                match attribute {
+                if attribute.is_some_and(is_number) {
+                    self.numbered(token);
+                } else if matches!(attribute, Some("builtin" | "interpolate" | "diagnostic")) {
                     // Their arguments are words of their own too; those of the others are expressions.
-                    Some("builtin" | "interpolate" | "diagnostic") => {
-                        self.cursor.skip_past(')');
-                    }
-                    Some(attribute) if is_number(attribute) => self.numbered(token),
-                    _ => {}
+                    self.cursor.skip_past(')');
                 }
             }
             _ => {}

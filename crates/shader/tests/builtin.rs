@@ -12,22 +12,12 @@ fn every_builtin_module_is_valid() {
         let paths = library.paths().filter(|path| path.split('/').next() == Some(folder));
         paths.map(|path| path.split('/').take(depth).collect::<Vec<_>>().join("/")).collect::<BTreeSet<_>>()
     };
-    let [formats, encodings, effects, visitors] =
-        ["format", "encoding", "effect", "visitor"].map(|folder| in_folder(folder, 2));
-    assert!(!formats.is_empty() && !effects.is_empty() && !visitors.is_empty());
-    let formats: Vec<&str> = formats.iter().map(String::as_str).collect();
-    let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
-    let encodings: Vec<&str> = encodings.iter().map(String::as_str).collect();
-
-    let visitors: Vec<&str> = visitors.iter().map(String::as_str).collect();
-
-    let alternatives = [
-        ("format", &formats[..]),
-        ("encoding", &encodings),
-        ("effect", &effects),
-        ("visitor", &visitors),
-        ("texel", &["texel/rgba16float"]),
-    ];
+    let mounts = ["format", "encoding", "tracer", "effect", "visitor"].map(|name| (name, in_folder(name, 2)));
+    assert!(mounts.iter().all(|(_, folders)| !folders.is_empty()));
+    let targets =
+        mounts.each_ref().map(|(_, folders)| folders.iter().map(String::as_str).collect::<Vec<_>>());
+    let alternatives: Vec<_> =
+        mounts.iter().zip(&targets).map(|((name, _), of)| (*name, of.as_slice())).collect();
     let faults = check_all(&library, &alternatives);
     assert!(faults.is_empty(), "\n{faults}");
 }

@@ -130,7 +130,7 @@ fn library_is_a_map_by_path() {
     assert_eq!(&*library.get("b").unwrap().text, "3");
     assert!(library.get("c").is_none());
     let cone = Library::builtin();
-    assert_eq!(cone.get("common/cone").unwrap().name, "wgsl/common/cone.wgsl");
+    assert_eq!(cone.get("common/grid").unwrap().name, "wgsl/common/grid.wgsl");
 }
 
 /// A file's name is part of a comment in the linked text, never of the code.

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use voxlume::wgpu;
-use voxlume::{Formats, Gpu, Library, Passes, Pipeline, Renderer, Request, Scene, SceneFacts, plan};
+use voxlume::{Gpu, Passes, Pipeline, Registry, Renderer, Request, Scene, SceneFacts, plan};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::load(Path::new(&scene_path))?;
     let pipeline = Pipeline::builtin("gi")?;
     let request = Request { format, ..Request::image(512, 512) };
-    let plan = plan(&pipeline, &SceneFacts::of(&scene)?, &Formats::builtin(), &Library::builtin(), &request)?;
+    let plan = plan(&pipeline, &SceneFacts::of(&scene)?, &Registry::builtin(), &request)?;
 
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;
     renderer.render(&scene, &scene.cameras[0], Passes::Changed)?;

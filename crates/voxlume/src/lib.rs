@@ -3,13 +3,13 @@
 //! Load a scene and a pipeline, plan what the pipeline does for this scene, render the plan on a device:
 //!
 //! ```no_run
-//! use voxlume::{Formats, Gpu, Library, Passes, Pipeline, Renderer, Request, Scene, SceneFacts, plan};
+//! use voxlume::{Gpu, Passes, Pipeline, Registry, Renderer, Request, Scene, SceneFacts, plan};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/cornell.ron".as_ref())?;
 //! let pipeline = Pipeline::builtin("gi")?;
 //! let facts = SceneFacts::of(&scene)?;
-//! let plan = plan(&pipeline, &facts, &Formats::builtin(), &Library::builtin(), &Request::image(512, 512))?;
+//! let plan = plan(&pipeline, &facts, &Registry::builtin(), &Request::image(512, 512))?;
 //! let gpu = Gpu::open(None)?;
 //! let mut renderer = Renderer::new(&gpu, plan, &scene)?;
 //! renderer.render(&scene, &scene.cameras[0], Passes::Changed)?;
@@ -38,6 +38,7 @@
 //! | [`DEFAULT_METHOD`] | How `voxelize` finds voxels unless told otherwise. |
 //! | [`SceneFacts`] | What a scene needs, so that a plan models only that. |
 //! | [`Request`] | What is asked for beside the pipeline: size, format, output, parameters. |
+//! | [`Registry`] | What pipelines can name: formats, kinds of passes, tracers, and the WGSL of all. |
 //! | [`plan`] | Checks a pipeline against a scene and gives the plan. |
 //! | [`explain`] | A plan in words: passes, resources with their bytes, what was left out and why. |
 //! | [`check_variant`] | Whether the words of a format and of an encoding are known. |
@@ -66,7 +67,6 @@
 //! | name | what it is |
 //! |---|---|
 //! | [`Kinds`] | The kinds of passes that a pipeline can name; others are added to the built-in ones. |
-//! | [`plan_with`] | [`plan`], with such kinds. |
 //! | [`PassKind`] | A kind of pass: what it reads and makes, when it is left out, how it becomes steps. |
 //! | [`Port`] | Something that a kind reads, makes or changes. |
 //! | [`Sort`] | What sort of thing a port is. |
@@ -79,6 +79,13 @@
 //! | [`Run`] | A step on its way. |
 //! | [`Over`] | What a compute step runs over. |
 //! | [`screen_image`] | An image of the screen's size. |
+//!
+//! # Tracers
+//! | name | what it is |
+//! |---|---|
+//! | [`Tracers`] | The tracers to choose from; others are added to the built-in ones. |
+//! | [`Tracer`] | A way to find what lies in a direction: its WGSL modules and what it looks at. |
+//! | [`CONES`] | The tracer that comes with Voxlume. |
 //!
 //! # Devices and frames
 //! | name | what it is |
@@ -130,18 +137,20 @@
 //! | [`Source`] | A text and its name. |
 //! | [`nearest`], [`one_of`] | Choices as messages give them. |
 
-pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Texels};
+pub use voxlume_engine::{
+    Clock, Counters, Error, Frame, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Session, Texels,
+};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
 pub use voxlume_format::{
     Choices, Encoding, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2, SixFace,
     StorageFormat, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, Bundle, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel, Kinds,
-    LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind, Pipeline,
-    Plan, Port, ProbeSize, Program, Reference, Request, Resource, ResourceKind, Run, SceneFacts, Shows, Sort,
-    Sources, Step, Target, Touch, Unread, Update, Value, Values, Vertices, check_variant, explain, plan,
-    plan_with, probe, screen_image,
+    Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,
+    Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind,
+    Pipeline, Plan, Port, ProbeSize, Program, Reference, Registry, Request, Resource, ResourceKind, Run,
+    SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value, Values,
+    Vertices, check_variant, explain, plan, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

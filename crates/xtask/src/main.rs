@@ -9,7 +9,7 @@ use std::process::{Command, ExitCode};
 
 const USAGE: &str = "cargo xtask render    build everything and render the Cornell box to out/cornell.png
 cargo xtask test      build everything and run all tests
-cargo xtask package   pack every crate that others may depend on, and build each from its package
+cargo xtask package   pack every crate that others may depend on, and compile them from their packages
 
 Where no graphics device is found, the first two install Debian's software Vulkan driver if they may (as root or with a
 sudo that asks for no password), and say in one line what to install otherwise.";

@@ -4,18 +4,12 @@
 // Or the bands are summed up in the direction (`bands`).
 
 import package::common::isotropic_base::sample_over_base;
-import package::common::seen_ahead::{SeenAhead, ahead_along, all_ahead, behind_apex, beside_apex, hidden_axes, inside_grid, see_ahead, see_over_base};
 import package::common::volume::block_uvw;
 import package::common::volume_sampler::volume_sampler;
 import package::encoding::{decode_radiances, filter_volume};
-import package::format::ahead::side_ahead;
 import package::format::bands::radiance_by_bands;
 import package::format::cell::{COVERAGE, Cell, HARMONICS, seen_from};
 import package::format::options::{BASE, BASE_ISOTROPIC, NEGATIVES, NEGATIVES_SIDES};
-
-// Whether opacity from level 1 up is that of a surface's front only, so that a cone may reach back to the surface
-// that it leaves.
-const VOXEL_ONE_SIDED = true;
 
 var base: texture_3d<f32>;
 var harmonics: texture_3d<f32>;
@@ -48,7 +42,7 @@ fn opacity_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> f32 {
 // As far as they are opaque.
 fn radiance_of_sides(uvw: vec3f, level: f32, direction: vec3f) -> vec3f {
     let c = cell_at(uvw, level);
-    let value = seen_from(c, ahead_along(direction)) * abs(direction);
+    let value = seen_from(c, select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0))) * abs(direction);
     if (NEGATIVES == NEGATIVES_SIDES) {
         return value.rgb / max(value.a, 1.0);
     }
@@ -66,44 +60,4 @@ fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f {
         opacity = fine.a;
     }
     return vec4f(radiance, opacity);
-}
-
-// The opacities of the sides towards the observer, of cells beside: each axis' coordinate is moved to `beside`.
-fn opacity_beside(uvw: vec3f, beside: vec3f, size: vec3f, level: f32, side: vec3f) -> vec3f {
-    return inside_grid(beside, size) * vec3f(
-        coverage_at(side.x > 0.0, vec3f(beside.x, uvw.yz), level).x,
-        coverage_at(side.y > 0.0, vec3f(uvw.x, beside.y, uvw.z), level).y,
-        coverage_at(side.z > 0.0, vec3f(uvw.xy, beside.z), level).z,
-    );
-}
-
-fn see_sides_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, before: vec3f) -> SeenAhead {
-    let side = ahead_along(direction);
-    // Cells along each side.
-    let size = vec3f(textureDimensions(coverage)) / (vec3f(1.0, 1.0, f32(COVERAGE)) * exp2(ceil(level)));
-    let behind = behind_apex(before, opacity_beside(uvw, beside_apex(apex, -side, size), size, level, side));
-    let hidden = hidden_axes(behind, uvw, apex, side, size);
-    let c = cell_at(uvw, level);
-    let found = mat3x4f(side_ahead(c, 0, side, hidden), side_ahead(c, 1, side, hidden), side_ahead(c, 2, side, hidden));
-    var ahead = found;
-    if (any(hidden > vec3f(0.0))) {
-        let beside = beside_apex(apex, side, size);
-        let inside = inside_grid(beside, size);
-        ahead = mat3x4f(
-            inside.x * side_ahead(cell_at(vec3f(beside.x, uvw.yz), level), 0, side, hidden),
-            inside.y * side_ahead(cell_at(vec3f(uvw.x, beside.y, uvw.z), level), 1, side, hidden),
-            inside.z * side_ahead(cell_at(vec3f(uvw.xy, beside.z), level), 2, side, hidden),
-        );
-    }
-    return see_ahead(found, ahead, hidden, behind, direction);
-}
-
-fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead {
-    if (NEGATIVES != NEGATIVES_SIDES) {
-        return all_ahead(voxel_sample(uvw, level, direction));
-    }
-    if (BASE != BASE_ISOTROPIC) {
-        return see_sides_ahead(uvw, level, direction, apex, behind);
-    }
-    return see_over_base(base, uvw, level, see_sides_ahead(uvw, max(level - 1.0, 0.0), direction, apex, behind));
 }

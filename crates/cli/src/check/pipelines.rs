@@ -1,26 +1,27 @@
 //! Pipelines planned in every way that matters, without a scene.
 
 use glam::DVec3;
-use voxlume::{Faults, Formats, Kinds, Library, Pipeline, Request, SceneFacts, Value, plan};
+use voxlume::{Faults, Kinds, Pipeline, Registry, Request, SceneFacts, Value, plan};
 
-/// Plans a pipeline with every format for scenes that need all of it. A fault may come several times.
-pub fn check(pipeline: &Pipeline, formats: &Formats, library: &Library) -> Faults {
-    let kinds = Kinds::builtin();
+/// Plans a pipeline with every format and every tracer for scenes that need all of it. A fault may come several times.
+pub fn check(pipeline: &Pipeline, registry: &Registry) -> Faults {
     let mut faults = Faults::default();
-    // The file's own word is checked as well.
-    let words = std::iter::once(None).chain(formats.iter().map(|format| Some(format.name().to_owned())));
-    for format in words {
-        let request = Request { format, set: used(pipeline, &kinds), ..Request::image(64, 64) };
-        let mut planned = |request: &Request, facts: &SceneFacts| {
-            faults.gather(plan(pipeline, facts, formats, library, request))
-        };
+    // The file's own words are checked as well.
+    let base = Request { set: used(pipeline, &registry.kinds), ..Request::image(64, 64) };
+    let formats = registry.formats.iter().map(|format| Some(format.name().to_owned()));
+    let formats = formats.map(|format| Request { format, ..base.clone() });
+    let tracers = registry.tracers.iter().map(|tracer| Some(tracer.name.to_owned()));
+    let tracers = tracers.map(|tracer| Request { tracer, ..base.clone() });
+    for request in std::iter::once(base.clone()).chain(formats).chain(tracers) {
+        let mut planned =
+            |request: &Request, facts: &SceneFacts| faults.gather(plan(pipeline, facts, registry, request));
         // What a plan lacks, as nobody reads it, is planned for its own sake.
         if let Some(whole) = planned(&request, &rich(Some(2))) {
             let absent = pipeline
                 .passes
                 .iter()
                 .filter(|pass| !whole.passes.iter().any(|other| other.name == pass.name));
-            let images = kinds.images(pipeline);
+            let images = registry.kinds.images(pipeline);
             let writes = absent.flat_map(|pass| &pass.writes);
             for image in writes.filter(|name| images.contains(&name.value.as_str())) {
                 planned(&Request { output: Some(image.value.clone()), ..request.clone() }, &rich(Some(2)));

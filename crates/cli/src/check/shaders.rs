@@ -4,23 +4,24 @@ use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use voxlume::{Encoding, Faults, Formats, Library, Source, check_all};
+use voxlume::{Encoding, Faults, Registry, Source, check_all};
 
 /// Checks all built-in modules with these files in their places.
-pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Library) -> Faults {
+pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     let mut faults = Faults::default();
     // Files that would take the same place are checked one after the other.
-    let mut rounds = vec![(builtin.clone(), BTreeSet::new())];
+    let mut rounds = vec![(registry.library.clone(), BTreeSet::new())];
     for (path, source) in files {
         let module = module_path(path);
         let free = rounds.iter().position(|(_, taken)| !taken.contains(&module)).unwrap_or(rounds.len());
         if free == rounds.len() {
-            rounds.push((builtin.clone(), BTreeSet::new()));
+            rounds.push((registry.library.clone(), BTreeSet::new()));
         }
         rounds[free].0.insert(&module, Arc::clone(source));
         rounds[free].1.insert(module);
     }
-    let formats: Vec<&str> = formats.iter().map(|format| format.modules()).collect();
+    let formats: Vec<&str> = registry.formats.iter().map(|format| format.modules()).collect();
+    let tracers: Vec<&str> = registry.tracers.iter().map(|tracer| tracer.modules).collect();
     let encodings: Vec<&str> = [true, false]
         .into_iter()
         .flat_map(|filters| Encoding::ALL.map(|encoding| encoding.module(filters)))
@@ -31,6 +32,7 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], formats: &Formats, builtin: &Libr
         let alternatives = [
             ("format", &formats[..]),
             ("encoding", &encodings),
+            ("tracer", &tracers),
             ("effect", &effects),
             ("visitor", &visitors),
             // The others differ in the texture alone, and are checked by themselves.
@@ -63,7 +65,7 @@ mod tests {
 
     #[test]
     fn places_of_files() {
-        assert_eq!(module_path(Path::new("wgsl/common/cone.wgsl")), "common/cone");
+        assert_eq!(module_path(Path::new("wgsl/common/grid.wgsl")), "common/grid");
         assert_eq!(module_path(Path::new("/a/wgsl/format/sh2/store.wgsl")), "format/sh2/store");
         assert_eq!(module_path(Path::new("pipelines/glow.wgsl")), "effect/glow");
         assert_eq!(module_path(Path::new("./wgsl.wgsl")), "effect/wgsl");

@@ -156,19 +156,19 @@ fn a_reference_is_written_with_its_error() {
 }
 
 /// An effect from outside the repository: how much lies behind a surface.
-const THICKNESS: &str =
-    "import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
-import package::common::surface::Surface;
+const THICKNESS: &str = "import package::common::surface::Surface;
+import package::common::trace::{Apex, reach_of};
+import package::tracer::trace::trace_opacity;
 
 struct Params {
-    /// How far the cone looks, voxels, (0, 1000].
+    /// How far it looks, voxels, (0, 1000].
     depth: f32,
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let cone = surface_cone(surface.position_voxel, inwards, inwards, 0.3, params.depth, 1.0);
-    return vec4f(vec3f(cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0).a), 1.0);
+    let apex = Apex(surface.position_voxel, inwards, 1.0);
+    return vec4f(vec3f(trace_opacity(apex, inwards, 0.3, reach_of(params.depth), 0.0)), 1.0);
 }
 ";
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3, DVec4, UVec3};
 
-use crate::twin::{Beside, SeenAhead, Twin, Volumes, ahead_along, children};
+use crate::twin::{Twin, Volumes, children};
 
 /// How a parent is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,20 +60,6 @@ impl Cell {
     fn share_of_axes(&self) -> DVec3 {
         let both = self.positive.min(self.negative);
         both / both.element_sum().max(1e-6)
-    }
-
-    /// Along one axis, to a cone that something lies behind.
-    fn side_ahead(&self, axis: usize, side: DVec3, hidden: DVec3) -> DVec4 {
-        const WITHIN: f64 = 0.7;
-        let both = self.positive.min(self.negative);
-        let far = if side[axis] > 0.0 { self.positive } else { self.negative }[axis];
-        let outside = (side[axis] * self.band1[axis]).max(DVec3::ZERO) / far.max(1e-3);
-        let mut all = self.shared_in_all();
-        for other in [(axis + 1) % 3, (axis + 2) % 3] {
-            let within = WITHIN * (-side[other] * self.band1[other]).max(DVec3::ZERO);
-            all -= hidden[other] * (outside * both[other] - within).max(DVec3::ZERO);
-        }
-        self.seen_along(axis, side, all.max(DVec3::ZERO) * self.share_of_axes()[axis])
     }
 
     /// Along one axis, of an observer who looks along the axes in these directions, 1 or −1.
@@ -205,32 +191,13 @@ impl Sh2Twin {
 
     fn sample_sides(&self, volumes: &Volumes, uvw: DVec3, level: f64, direction: DVec3) -> DVec4 {
         let cell = self.cell_at(volumes, uvw, level);
-        let seen = cell.seen_from(ahead_along(direction));
+        let seen = cell.seen_from(direction.map(|d| if d > 0.0 { 1.0 } else { -1.0 }));
         let value: DVec4 = (0..3).map(|axis| direction[axis].abs() * seen[axis]).sum();
         if self.negatives == Negatives::Sides {
             return value / value.w.max(1.0);
         }
         let opacity = value.w.min(1.0);
         (self.radiance_by_bands(&cell, direction) * opacity).extend(opacity)
-    }
-
-    fn see_sides_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        apex: DVec3,
-        before: DVec3,
-    ) -> SeenAhead {
-        let side = ahead_along(direction);
-        let beside = Beside { uvw, apex, side, size: volumes.cells(self.coverage(), level) };
-        let (behind, hidden) = beside.hidden(before, |axis, place| {
-            let block = u32::from(side[axis] > 0.0);
-            volumes.sample_block(self.coverage(), block, place, level)[axis]
-        });
-        let seen = |axis, place| self.cell_at(volumes, place, level).side_ahead(axis, side, hidden);
-        beside.see(hidden, behind, direction, seen)
     }
 }
 
@@ -270,24 +237,5 @@ impl Twin for Sh2Twin {
         }
         let coarse = self.sample_sides(volumes, uvw, (level - 1.0).max(0.0), direction);
         volumes.sample_over_base(0, uvw, level, coarse)
-    }
-
-    fn voxel_sample_ahead(
-        &self,
-        volumes: &Volumes,
-        uvw: DVec3,
-        level: f64,
-        direction: DVec3,
-        apex: DVec3,
-        behind: DVec3,
-    ) -> SeenAhead {
-        if self.negatives != Negatives::Sides {
-            return SeenAhead::all(self.voxel_sample(volumes, uvw, level, direction));
-        }
-        if !self.isotropic_base {
-            return self.see_sides_ahead(volumes, uvw, level, direction, apex, behind);
-        }
-        let coarse = self.see_sides_ahead(volumes, uvw, (level - 1.0).max(0.0), direction, apex, behind);
-        coarse.over_base(volumes, uvw, level)
     }
 }

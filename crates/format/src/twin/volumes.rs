@@ -113,12 +113,6 @@ impl Volumes {
         texels.store(cell + UVec3::Z * (block * depth), value);
     }
 
-    /// Cells along each side of a volume's blocks at its own level `mip`.
-    pub fn cells(&self, volume: usize, mip: f64) -> DVec3 {
-        let (of, mips) = &self.volumes[volume];
-        mips[0].size.as_dvec3() / DVec3::new(1.0, 1.0, of.blocks.into()) / mip.ceil().exp2()
-    }
-
     /// `sample_block` of `wgsl/common/volume.wgsl`: never mixes two blocks.
     pub fn sample_block(&self, volume: usize, block: u32, uvw: DVec3, mip: f64) -> DVec4 {
         let (of, mips) = &self.volumes[volume];

@@ -8,6 +8,7 @@ use voxlume_format::{Formats, StorageFormat};
 use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
 
 use crate::bundle::Bundle;
+use crate::entries::sorts;
 use crate::expansion::LAST;
 use crate::facts::SceneFacts;
 use crate::grid::{Extent, Grid};
@@ -15,6 +16,7 @@ use crate::pass::{Kinds, PassKind, Sort};
 use crate::pipeline::{Located, PassEntry, Pipeline};
 use crate::plan::{LeftOut, Life, Resource, ResourceKind};
 use crate::storage::Storage;
+use crate::tracer::Tracers;
 use crate::variant;
 
 /// What a plan is made of, apart from the pipeline and the scene.
@@ -24,6 +26,7 @@ pub(crate) struct Given<'a> {
     pub facts: &'a SceneFacts,
     pub kinds: &'a Kinds,
     pub formats: &'a Formats,
+    pub tracers: &'a Tracers,
     pub library: &'a Library,
     pub screen: [u32; 2],
     pub filters_float32: bool,
@@ -36,6 +39,7 @@ pub(crate) struct Context<'a> {
     pub facts: &'a SceneFacts,
     pub kinds: &'a Kinds,
     formats: &'a Formats,
+    pub tracers: &'a Tracers,
     library: &'a Library,
     pub screen: [u32; 2],
     filters_float32: bool,
@@ -60,25 +64,20 @@ pub(crate) struct Context<'a> {
 
 impl<'a> Context<'a> {
     pub fn new(given: Given<'a>, storage: Storage<'a>, grid: Grid, area_lights: bool) -> Context<'a> {
-        let Given { pipeline, facts, kinds, formats, library, screen, filters_float32 } = given;
-        let mut sorts = BTreeMap::new();
-        for entry in &pipeline.passes {
-            for (name, port) in entry.writes.iter().zip(kinds.of(entry).writes()) {
-                sorts.insert(name.value.clone(), port.sort);
-            }
-        }
+        let Given { pipeline, facts, kinds, formats, tracers, library, screen, filters_float32 } = given;
         Context {
             pipeline,
             facts,
             kinds,
             formats,
+            tracers,
             library,
             screen,
             filters_float32,
             default_storage: storage,
             grids: vec![grid],
             area_lights,
-            sorts,
+            sorts: sorts(pipeline, kinds),
             live: BTreeSet::new(),
             bundles: BTreeMap::new(),
             shaders: Vec::new(),
@@ -220,6 +219,22 @@ impl<'a> Context<'a> {
         let checked = link(self.library, module, &named).and_then(voxlume_shader::Linked::check);
         let shader = self.faults.gather(checked)?;
         self.faults.gather(shader.fulfils(&EFFECT, module))
+    }
+
+    /// Names of what tracers let a pass choose, whichever it has.
+    pub fn trace_params(&self) -> Vec<String> {
+        let fields = self.tracers.iter().flat_map(|tracer| {
+            let mut mounts = self.default_mounts();
+            mounts.push(("tracer", tracer.modules.to_owned()));
+            let named: Vec<(&str, &str)> =
+                mounts.iter().map(|(name, folder)| (*name, folder.as_str())).collect();
+            let module = format!("{}/trace", tracer.modules);
+            let shader = link(self.library, &module, &named).and_then(voxlume_shader::Linked::check).ok();
+            shader
+                .and_then(|shader| shader.struct_layout("TraceParams"))
+                .map_or(Vec::new(), |layout| layout.fields)
+        });
+        fields.map(|field| field.name).collect()
     }
 
     /// Values for the scene-wide `override`s.

@@ -3,7 +3,7 @@
 pub(crate) mod context;
 mod run;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use voxlume_shader::{Binding, Shader};
 
@@ -12,7 +12,7 @@ pub use run::{Over, Run};
 
 use crate::bundle::Bundle;
 use crate::facts::SceneFacts;
-use crate::flow::{PARAMS_SUFFIX, is_scene};
+use crate::flow::is_scene;
 use crate::grid::Grid;
 use crate::params::{Params, words};
 use crate::pass::{PassKind, Sort};
@@ -21,6 +21,7 @@ use crate::plan::{
     Bind, ImageExtent, ImageTexel, LeftOut, Life, ParamSlot, Program, ResourceKind, Step, Target,
 };
 use crate::storage::Storage;
+use crate::tracer::Tracer;
 
 /// Bytes of a `LevelRun` in wgsl/common/grid.wgsl.
 pub(crate) const LEVEL_RUN_BYTES: u64 = 32;
@@ -37,7 +38,11 @@ pub struct Expansion<'c, 'a> {
     /// The grid that it voxelizes into, in the context's list; else the one of the voxels or volume that it reads.
     grid: Option<usize>,
     used: BTreeSet<String>,
-    uniform: Option<usize>,
+    tracer: &'a Tracer,
+    /// Whether a program of it traces.
+    traces: bool,
+    /// Its parameters, by the struct that has them.
+    uniforms: BTreeMap<&'static str, usize>,
     slots: Vec<ParamSlot>,
 }
 
@@ -54,6 +59,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
     pub(crate) fn new(context: &'c mut Context<'a>, entry: &'a PassEntry) -> Expansion<'c, 'a> {
         let params = Params::of(context.pipeline, entry);
         let kind = context.kinds.of(entry);
+        let tracer = context.tracers.of(context.pipeline, entry);
         Expansion {
             context,
             entry,
@@ -63,7 +69,9 @@ impl<'c, 'a> Expansion<'c, 'a> {
             once: Vec::new(),
             grid: None,
             used: BTreeSet::new(),
-            uniform: None,
+            tracer,
+            traces: false,
+            uniforms: BTreeMap::new(),
             slots: Vec::new(),
         }
     }
@@ -295,14 +303,27 @@ impl<'c, 'a> Expansion<'c, 'a> {
                 self.context.read_of(self.entry, self.kind, unread.port) == Some(name.value.as_str())
             });
             let made = self.context.bundles.contains_key(name.value.trim_end_matches(LAST));
-            if made && !unread && !self.used.contains(&name.value) && self.context.faults.is_empty() {
+            // Opacity alone may take less than all that a tracer looks at.
+            let sort = self.context.sorts.get(&name.value);
+            let traced = self.traces && sort.is_some_and(|sort| self.tracer.reads.contains(sort));
+            if made
+                && !traced
+                && !unread
+                && !self.used.contains(&name.value)
+                && self.context.faults.is_empty()
+            {
                 let message = format!("pass `{}` never uses `{}`", self.entry.name, name.value);
                 self.context.faults.push(self.context.pipeline.fault(&name.span, message, "read in vain"));
             }
         }
         // Without its shader a pass's parameters are unknown.
         if !self.steps.is_empty() || self.kind.idle(self.entry).is_some() {
-            self.params.finish(&mut self.context.faults);
+            self.params.finish(self.traces, self.context);
+            let in_vain = self.entry.tracer.as_ref().filter(|_| !self.traces);
+            self.context.faults.extend(in_vain.map(|word| {
+                let message = format!("pass `{}` traces nothing", self.entry.name);
+                self.context.pipeline.fault(&word.span, message, "a tracer named in vain")
+            }));
         }
         Expanded { once: self.once, steps: self.steps, params: self.slots }
     }
@@ -316,6 +337,7 @@ impl Expansion<'_, '_> {
         let mut mounts: Vec<(&'static str, String)> = own.to_vec();
         let bundles = with.into_iter().chain(self.bundles());
         let theirs = bundles.flat_map(|bundle| bundle.mounts().iter().cloned());
+        let theirs = theirs.chain([("tracer", self.tracer.modules.to_owned())]);
         for (name, folder) in theirs.chain(self.context.default_mounts()) {
             if !mounts.iter().any(|(known, _)| *known == name) {
                 mounts.push((name, folder));
@@ -330,8 +352,9 @@ impl Expansion<'_, '_> {
         if is_scene(name) {
             return Some(Target::Resource(self.context.resource(name, ResourceKind::Scene)));
         }
-        if name == "params" {
-            return self.uniform(shader).map(Target::Resource);
+        let own = PARAMS.iter().find(|(variable, _)| *variable == name);
+        if let Some((variable, structure)) = own {
+            return self.uniform(shader, variable, structure).map(Target::Resource);
         }
         if let Some(target) = with.and_then(|bundle| bundle.part(name)) {
             return Some(target.clone());
@@ -440,34 +463,32 @@ impl Expansion<'_, '_> {
             })
     }
 
-    /// The uniform with the `Params` of the pass's shader, read once however often it is bound.
-    fn uniform(&mut self, shader: usize) -> Option<usize> {
-        if self.uniform.is_none() {
-            let layout = self.context.shaders[shader].struct_layout("Params")?;
-            let bytes = self.params.uniform(&self.context.shaders[shader], &layout, &mut self.context.faults);
-            let name = format!("{}{PARAMS_SUFFIX}", self.entry.name);
-            let resource = self.context.resource(&name, ResourceKind::Uniform(bytes));
-            let unread = self.kind.unread(self.entry);
-            let decides = |name: &str| unread.iter().any(|unread| unread.decided_by == Some(name));
-            self.slots = layout
-                .fields
-                .iter()
-                .map(|field| ParamSlot {
-                    name: field.name.clone(),
-                    resource,
-                    shader,
-                    fixed: decides(&field.name),
-                })
-                .collect();
-            self.uniform = Some(resource);
+    /// The uniform with the pass's parameters as a struct of its shader has them, read once however often it is bound.
+    fn uniform(&mut self, shader: usize, variable: &str, structure: &'static str) -> Option<usize> {
+        if let Some(known) = self.uniforms.get(structure) {
+            return Some(*known);
         }
-        self.uniform
+        let layout = self.context.shaders[shader].struct_layout(structure)?;
+        let bytes = self.params.uniform(&self.context.shaders[shader], &layout, &mut self.context.faults);
+        let name = format!("{}.{variable}", self.entry.name);
+        let resource = self.context.resource(&name, ResourceKind::Uniform(bytes));
+        let unread = self.kind.unread(self.entry);
+        let decides = |name: &str| unread.iter().any(|unread| unread.decided_by == Some(name));
+        self.slots.extend(layout.fields.iter().map(|field| ParamSlot {
+            name: field.name.clone(),
+            resource,
+            shader: (shader, structure),
+            fixed: decides(&field.name),
+        }));
+        self.uniforms.insert(structure, resource);
+        Some(resource)
     }
 
     fn program(&mut self, module: &str, entries: &[&'static str], own: &run::Given) -> Option<Program> {
         let with = own.bundle.as_ref();
         let mounts = self.mounts(&own.mounts, with);
         let shader = self.context.shader(module, &mounts)?;
+        self.traces |= self.context.shaders[shader].links(self.tracer.modules);
         let mut bindings: Vec<Binding> = Vec::new();
         for entry in entries {
             for binding in self.context.shaders[shader].bindings(entry) {
@@ -511,6 +532,9 @@ impl Expansion<'_, '_> {
         }
     }
 }
+
+/// Variables that hold a pass's parameters, and the structs that say what these are: the pass's own and its tracer's.
+const PARAMS: [(&str, &str); 2] = [("params", "Params"), ("trace_params", "TraceParams")];
 
 /// Follows the name of what is read as it was before its last writing: `mean.last`.
 pub(crate) const LAST: &str = ".last";

@@ -3,9 +3,7 @@
 
 use glam::DVec3;
 use voxlume_fault::Source;
-use voxlume_format::Formats;
-use voxlume_graph::{Pipeline, Plan, Request, SceneFacts};
-use voxlume_shader::Library;
+use voxlume_graph::{Pipeline, Plan, Registry, Request, SceneFacts};
 
 /// A pipeline with every kind of pass.
 pub const PIPELINE: &str = include_str!("everything.ron");
@@ -61,7 +59,7 @@ pub fn plan(
     facts: &SceneFacts,
     request: &Request,
 ) -> Result<Plan, voxlume_fault::Faults> {
-    voxlume_graph::plan(pipeline, facts, &Formats::builtin(), &Library::builtin(), request)
+    voxlume_graph::plan(pipeline, facts, &Registry::builtin(), request)
 }
 
 /// The message when `PIPELINE`, changed, is planned for the rich scene.

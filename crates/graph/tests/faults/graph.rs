@@ -292,6 +292,6 @@ fn several_faults_of_parameters_at_once() {
        ┌─ p.ron:31:48
        │
     31 │             params: (stepper: "spheres", step: 5, start: 1.0, ring: 5),
-       │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
 }

@@ -6,13 +6,15 @@ use crate::common::message;
 
 #[test]
 fn missing() {
-    assert_snapshot!(message(&[(r#"step: 0.5, "#, r#""#)]), @r#"
-    error: pass `diffuse` lacks the parameter `step`
+    assert_snapshot!(message(&[(r#"start: 1.0, ring"#, r#"ring"#)]), @r#"
+    error: pass `diffuse` lacks the parameter `start`
        ┌─ p.ron:28:18
        │
     28 │             run: "effect/diffuse",
-       │                  ^^^^^^^^^^^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                  ^^^^^^^^^^^^^^^^ a number in [0, 4]: Where traces begin: 1 is where the surface's own voxels end.
     "#);
+    // What a tracer lets a pass choose has a default.
+    assert_eq!(message(&[("stepper: \"spheres\", step: 0.5, ", "")]), "no fault");
     assert_snapshot!(message(&[(r#"occlusion: "shadow_map", "#, r#""#)]), @r#"
     error: pass `light` lacks the parameter `occlusion`
        ┌─ p.ron:11:18
@@ -43,7 +45,7 @@ fn unknown() {
        ┌─ p.ron:31:53
        │
     31 │             params: (stepper: "spheres", step: 0.5, strat: 2, start: 1.0, ring: 5),
-       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start, ring
+       │                                                     ^^^^^ did you mean `start`? one of: start, ring, stepper, step
     "#);
     assert_snapshot!(message(&[(r#"(run: "voxelize", writes: ["voxels"])"#, r#"(run: "voxelize", writes: ["voxels"], params: (size: 3))"#)]), @r#"
     error: pass `voxelize` has no parameter `size`
@@ -72,14 +74,14 @@ fn mistyped() {
        ┌─ p.ron:31:48
        │
     31 │             params: (stepper: "spheres", step: "half", start: 1.0, ring: 5),
-       │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
     assert_snapshot!(message(&[(r#"step: 0.5"#, r#"step: (1, 2)"#)]), @r#"
     error: parameter `step` of pass `diffuse` can't be (1, 2)
        ┌─ p.ron:31:48
        │
     31 │             params: (stepper: "spheres", step: (1, 2), start: 1.0, ring: 5),
-       │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                                                ^^^^^^ a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
     assert_snapshot!(message(&[(r#"occlusion: "shadow_map""#, r#"occlusion: 3"#)]), @r#"
     error: parameter `occlusion` of pass `light` can't be 3
@@ -111,14 +113,14 @@ fn out_of_range() {
        ┌─ p.ron:31:48
        │
     31 │             params: (stepper: "spheres", step: 1.5, start: 1.0, ring: 5),
-       │                                                ^^^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                                                ^^^ a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
     assert_snapshot!(message(&[(r#"step: 0.5"#, r#"step: 0"#)]), @r#"
     error: parameter `step` of pass `diffuse` can't be 0
        ┌─ p.ron:31:48
        │
     31 │             params: (stepper: "spheres", step: 0, start: 1.0, ring: 5),
-       │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres.
+       │                                                ^ a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
     assert_snapshot!(message(&[(r#"bounces: 1"#, r#"bounces: 99"#)]), @r#"
     error: parameter `bounces` of pass `bounce` can't be 99

@@ -21,6 +21,35 @@ fn format() {
 }
 
 #[test]
+fn tracer() {
+    assert_snapshot!(message(&[(r#"resolution"#, r#"tracer: "cone", resolution"#)]), @r#"
+    error: unknown tracer `cone`
+      ┌─ p.ron:4:13
+      │
+    4 │     tracer: "cone", resolution: 64,
+      │             ^^^^^^ did you mean `cones`? one of: cones
+    "#);
+    assert_snapshot!(message(&[(r#"run: "effect/diffuse""#, r#"run: "effect/diffuse", tracer: "rays""#)]), @r#"
+    error: unknown tracer `rays`
+       ┌─ p.ron:28:44
+       │
+    28 │             run: "effect/diffuse", tracer: "rays",
+       │                                            ^^^^^^ one of: cones
+    "#);
+    assert_snapshot!(message_for(&[], &Request { tracer: Some("rays".into()), ..request() }), @r#"
+    error: unknown tracer `rays`
+     = one of: cones
+    "#);
+    assert_snapshot!(message(&[(r#"(run: "filter""#, r#"(run: "filter", tracer: "cones""#)]), @r#"
+    error: pass `filter` traces nothing
+       ┌─ p.ron:19:33
+       │
+    19 │         (run: "filter", tracer: "cones", reads: ["voxels", "radiance"], writes: ["volume"]),
+       │                                 ^^^^^^^ a tracer named in vain
+    "#);
+}
+
+#[test]
 fn encoding() {
     assert_snapshot!(message(&[(r#""rgba16float""#, r#""rgba16""#)]), @r#"
     error: unknown encoding `rgba16`
@@ -165,7 +194,7 @@ fn unknown_field() {
       ┌─ p.ron:6:5
       │
     6 │     outptu: 1, output: "final",
-      │     ^^^^^^ did you mean `output`? one of: format, encoding, resolution, grid, separability, output, passes
+      │     ^^^^^^ did you mean `output`? one of: format, encoding, tracer, resolution, grid, separability, output, passes
     "#);
 }
 
@@ -189,11 +218,11 @@ fn set() {
     "#);
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @r#"
     error: pass `diffuse` has no parameter `stp`
-     = did you mean `step`? one of: stepper, step, start, ring
+     = did you mean `step`? one of: start, ring, stepper, step
     "#);
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @r#"
     error: parameter `step` of pass `diffuse` can't be 7
-     = a number in (0, 1]: Step over cell size, of the tangent spheres.
+     = a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.
     "#);
 }
 

@@ -7,9 +7,9 @@ use voxlume::{Camera, Encoding, Fault, Faults, Grid, Request, Scene, SceneFacts,
 use voxlume_reference::cache::SceneDigest;
 
 use super::Sweep;
+use crate::Error;
 use crate::effect::Effect;
 use crate::words::words;
-use crate::{Error, Registry};
 
 /// A scene of the sweep.
 pub struct Subject {
@@ -164,7 +164,6 @@ fn resolutions(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<u32> {
 }
 
 fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
-    let Registry { formats, library } = sweep.registry;
     let [width, height] = sweep.size;
     let mut subjects: Vec<Subject> = Vec::new();
     for (path, label) in sweep.scenes.iter().zip(labels(&sweep.scenes)) {
@@ -176,8 +175,8 @@ fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
         let Some(camera) = faults.gather(scene.camera(sweep.camera.as_deref()).cloned()) else { continue };
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
         // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request::image(width, height);
-        let plan = faults.gather(voxlume::plan(sweep.pipeline, &facts, formats, library, &request));
+        let request = Request { tracer: sweep.tracer.clone(), ..Request::image(width, height) };
+        let plan = faults.gather(voxlume::plan(sweep.pipeline, &facts, sweep.registry, &request));
         let area_lights = plan.is_some_and(|plan| plan.area_lights);
         let digest = SceneDigest::of(&scene);
         subjects.push(Subject { label, scene, digest, facts, camera, area_lights });

@@ -14,7 +14,7 @@ use super::measure::{image_size, measure};
 use super::report::judge;
 use super::truth::{Last, References, Truth};
 use crate::effect::bounces;
-use crate::{Error, Progress, Registry, describe};
+use crate::{Error, Progress, describe};
 
 /// What cells need.
 struct Run<'a> {
@@ -132,14 +132,14 @@ impl Run<'_> {
         let request = Request {
             format: Some(setting.format.clone()),
             encoding: Some(setting.encoding.clone()),
+            tracer: self.sweep.tracer.clone(),
             resolution: Some(setting.resolution),
             output: Some(cell.effect.image.to_owned()),
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(self.sweep.size[0], self.sweep.size[1])
         };
         let facts = &self.subjects[cell.subject].facts;
-        let Registry { formats, library } = self.sweep.registry;
-        voxlume::plan(self.sweep.pipeline, facts, formats, library, &request).map_err(Error::from)
+        voxlume::plan(self.sweep.pipeline, facts, self.sweep.registry, &request).map_err(Error::from)
     }
 
     /// The path tracer's picture of the effect's quantity; without one, the effect in the finest setting.

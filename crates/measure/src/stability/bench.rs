@@ -1,10 +1,11 @@
 //! Where cases are measured: a device, and one format, encoding and resolution.
 
 use voxlume::{
-    Faults, Gpu, Grid, Passes, Picture, Pipeline, Renderer, Request, ResourceKind, Scene, SceneFacts, Value,
+    Faults, Gpu, Grid, Passes, Picture, Pipeline, Registry, Renderer, Request, ResourceKind, Scene,
+    SceneFacts, Value,
 };
 
-use crate::{Error, Registry};
+use crate::Error;
 
 /// A setting on a device.
 pub struct Bench<'g> {
@@ -48,8 +49,7 @@ impl Bench<'_> {
             filters_float32: self.gpu.filters_float32(),
             ..Request::image(size[0], size[1])
         };
-        let Registry { formats, library } = self.registry;
-        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, formats, library, &request)?;
+        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, self.registry, &request)?;
         let mut renderer = Renderer::new(self.gpu, plan, scene)?;
         renderer.render(scene, &scene.cameras[0], Passes::All)?;
         Ok(renderer)

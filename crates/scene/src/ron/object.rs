@@ -96,11 +96,8 @@ impl Objects<'_> {
         if let Some(known) = self.files.get(&path) {
             return Ok(known.clone());
         }
-        let loaded = gltf::load(&path).map_err(|faults| {
-            let mut placed = Faults::default();
-            placed.extend(faults.into_iter().map(|f| f.at(node.source(), node.head(), "read from here")));
-            placed
-        });
+        let placed = |fault: Fault| fault.at(node.source(), node.head(), "read from here");
+        let loaded = gltf::load(&path).map_err(|faults| faults.map(placed));
         let brought = match loaded {
             Ok(file) => Some(self.append(file)),
             Err(faults) => {

@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 use voxlume_fault::Faults;
-use voxlume_shader::{Contract, EFFECT, FORMAT_SAMPLE, link};
+use voxlume_shader::{Contract, EFFECT, FORMAT_SAMPLE, TRACER, link};
 
 use crate::library;
 
@@ -72,9 +72,7 @@ fn effect(s: Surface, p: Params) -> Color { return Color(p.gain); }
 #[test]
 fn formats() {
     let sample = "fn voxel_sample(a: vec3f, b: f32, c: vec3f) -> vec4f { return vec4f(a * c, b); }\n";
-    let ahead = "struct SeenAhead { value: vec4f }\n\
-                 fn voxel_sample_ahead(a: vec3f, b: f32, c: vec3f, d: vec3f, e: vec3f) -> SeenAhead { return SeenAhead(); }\n";
-    fulfils("format/new/sample", &format!("{sample}{ahead}")).unwrap();
+    fulfils("format/new/sample", sample).unwrap();
     let error = fulfils(
         "format/new/sample",
         &sample.replace("b: f32, c: vec3f", "b: vec3f, c: f32").replace("a * c, b", "a * b, c"),
@@ -85,12 +83,16 @@ fn formats() {
       │
     1 │ fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f { return vec4f(a * b, c); }
       │    ^^^^^^^^^^^^ is `fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f`
+    "#);
+}
 
-    error: format `new` must have `fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead`
-      ┌─ format/new/sample.wgsl:1:4
-      │
-    1 │ fn voxel_sample(a: vec3f, b: vec3f, c: f32) -> vec4f { return vec4f(a * b, c); }
-      │    ^^^^^^^^^^^^ did you mean this?
+#[test]
+fn tracers() {
+    let asked = "struct Apex { p: vec3f }\nstruct Reach { d: f32 }\nstruct Gathered { a: f32 }\n\
+                 fn trace_gather(a: Apex, d: vec3f, s: f32, r: Reach) -> Gathered { return Gathered(); }\n";
+    let opacity = "fn trace_opacity(a: Apex, d: vec3f, s: f32, r: Reach, f: f32) -> f32 { return f; }\n";
+    fulfils("tracer/new/trace", &format!("{asked}{opacity}")).unwrap();
+    assert_snapshot!(fulfils("tracer/new/trace", asked).unwrap_err(), @r#"
     "#);
 }
 
@@ -98,6 +100,7 @@ fn formats() {
 fn contracts_go_by_path() {
     assert_eq!(Contract::of("effect/diffuse"), Some(&EFFECT));
     assert_eq!(Contract::of("format/sh2/sample"), Some(&FORMAT_SAMPLE));
+    assert_eq!(Contract::of("tracer/cones/trace"), Some(&TRACER));
     assert_eq!(Contract::of("format/sh2/store"), None);
     assert_eq!(Contract::of("format/a/b/sample"), None);
     assert_eq!(Contract::of("pass/light"), None);

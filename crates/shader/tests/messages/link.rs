@@ -291,12 +291,8 @@ fn every_module_with_every_mount_and_each_fault_once() {
     let library = library(&[
         (
             "format/good/sample",
-            "import package::common::seen::SeenAhead;\n\
-             fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f { return vec4f(); }\n\
-             fn voxel_sample_ahead(uvw: vec3f, level: f32, direction: vec3f, apex: vec3f, behind: vec3f) -> SeenAhead {\n\
-             return SeenAhead(); }",
+            "fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f { return vec4f(); }",
         ),
-        ("common/seen", "struct SeenAhead { value: vec4f }"),
         (
             "format/bad/sample",
             "fn voxel_sample(uvw: vec3f, level: f32, direction: vec3f) -> vec4f { return 1; }",

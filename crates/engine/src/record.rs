@@ -2,21 +2,31 @@
 
 use voxlume_graph::{Groups, Step, Vertices};
 
-use crate::Renderer;
-use crate::bind::BindGroups;
-use crate::program::Ready;
-use crate::resources::Object;
+use crate::bind::{BindGroups, Bound};
+use crate::program::Pipeline;
+use crate::resources::{Object, Resources};
+use crate::scene::SceneObjects;
 use crate::timing::Queries;
 
 /// Texels along a side of the square that a workgroup of a pass over an image covers.
 const TILE: u32 = 8;
 
-impl Renderer<'_> {
-    pub(crate) fn encode(
+/// What commands are made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Recorder<'a> {
+    pub scene: &'a SceneObjects,
+    pub resources: &'a Resources,
+    /// Names the pass.
+    pub label: &'a str,
+}
+
+impl Recorder<'_> {
+    /// Records steps; those that have a program are bound. `queries` take the time of the pass with this number.
+    pub fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         steps: &[Step],
-        ready: &[Option<Ready>],
+        bound: &[Option<Bound>],
         queries: Option<(&Queries, u32)>,
     ) {
         // Runs of dispatches share a compute pass; the first and the last pass of all carry the timestamps.
@@ -28,13 +38,12 @@ impl Renderer<'_> {
             let ends = (Some(number) == first, Some(number) == last);
             match &steps[run.start] {
                 Step::Clear(resource) => {
-                    if let Object::Buffer(buffer) = &self.objects[*resource] {
+                    if let Some(buffer) = self.resources.buffer(*resource) {
                         encoder.clear_buffer(buffer, 0, None);
                     }
                 }
                 Step::Copy { from, to } => {
-                    if let (Object::Buffer(from), Object::Buffer(to)) =
-                        (&self.objects[*from], &self.objects[*to])
+                    if let (Some(from), Some(to)) = (self.resources.buffer(*from), self.resources.buffer(*to))
                     {
                         encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
                     }
@@ -42,27 +51,33 @@ impl Renderer<'_> {
                 Step::Counted => {}
                 Step::Compute { .. } => {
                     let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
-                        label: None,
+                        label: Some(self.label),
                         timestamp_writes: queries.and_then(|(q, index)| q.compute(index, ends)),
                     });
                     for index in run.clone() {
-                        self.dispatch(&mut pass, &steps[index], &ready[index]);
+                        self.dispatch(&mut pass, &steps[index], &bound[index]);
                     }
                 }
                 Step::Raster { target, vertices, .. } => {
                     let writes = queries.and_then(|(q, index)| q.render(index, ends));
-                    self.raster(encoder, *target, *vertices, &ready[run.start], writes);
+                    self.raster(encoder, *target, *vertices, &bound[run.start], writes);
                 }
                 Step::Draw { colors, depth, reversed, .. } => {
                     let writes = queries.and_then(|(q, index)| q.render(index, ends));
-                    self.draw(encoder, colors, *depth, *reversed, &ready[run.start], writes);
+                    self.draw(encoder, colors, *depth, *reversed, &bound[run.start], writes);
                 }
             }
         }
     }
 
-    fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, step: &Step, ready: &Option<Ready>) {
-        let (Step::Compute { groups, .. }, Some(Ready::Compute(pipeline, bind_groups))) = (step, ready)
+    fn ready<'b>(&self, bound: &'b Option<Bound>) -> Option<(&'b Pipeline, &'b BindGroups)> {
+        let (pipeline, groups) = bound.as_ref()?.ready(self.resources);
+        Some((pipeline, groups?))
+    }
+
+    fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>, step: &Step, bound: &Option<Bound>) {
+        let (Step::Compute { groups, .. }, Some((Pipeline::Compute(pipeline), bind_groups))) =
+            (step, self.ready(bound))
         else {
             return;
         };
@@ -73,13 +88,13 @@ impl Renderer<'_> {
         match groups {
             Groups::Fixed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
             Groups::Tiles(image) => {
-                if let Object::Texture(texture) = &self.objects[*image] {
+                if let Some(texture) = self.resources.texture(*image) {
                     let [width, height] = [texture.width(), texture.height()].map(|side| side.div_ceil(TILE));
                     pass.dispatch_workgroups(width, height, texture.depth_or_array_layers());
                 }
             }
             Groups::Indirect { resource, offset } => {
-                if let Object::Buffer(buffer) = &self.objects[*resource] {
+                if let Some(buffer) = self.resources.buffer(*resource) {
                     pass.dispatch_workgroups_indirect(buffer, *offset);
                 }
             }
@@ -91,11 +106,11 @@ impl Renderer<'_> {
         encoder: &mut wgpu::CommandEncoder,
         target: usize,
         vertices: Vertices,
-        ready: &Option<Ready>,
+        bound: &Option<Bound>,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let (Object::Texture(texture), Some(Ready::Draw(pipeline, bind_groups))) =
-            (&self.objects[target], ready)
+        let (Some(texture), Some((Pipeline::Render(pipeline), bind_groups))) =
+            (self.resources.texture(target), self.ready(bound))
         else {
             return;
         };
@@ -107,6 +122,7 @@ impl Renderer<'_> {
         let attachment =
             wgpu::RenderPassColorAttachment { view: &view, depth_slice: None, resolve_target: None, ops };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(self.label),
             color_attachments: &[Some(attachment)],
             timestamp_writes,
             ..Default::default()
@@ -115,7 +131,7 @@ impl Renderer<'_> {
         match vertices {
             Vertices::Fixed(count) => pass.draw(0..count, 0..1),
             Vertices::Indirect { resource, offset } => {
-                if let Object::Buffer(buffer) = &self.objects[resource] {
+                if let Some(buffer) = self.resources.buffer(resource) {
                     pass.draw_indirect(buffer, offset);
                 }
             }
@@ -128,12 +144,13 @@ impl Renderer<'_> {
         colors: &[Option<usize>],
         (depth, layer): (usize, u32),
         reversed: bool,
-        ready: &Option<Ready>,
+        bound: &Option<Bound>,
         timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let view = |index: usize, layer: u32| match &self.objects[index] {
+        let view = |index: usize, layer: u32| match self.resources.newest(index) {
             Object::Texture(texture) => Some(texture.create_view(&wgpu::TextureViewDescriptor {
                 dimension: Some(wgpu::TextureViewDimension::D2),
+                mip_level_count: Some(1),
                 base_array_layer: layer,
                 array_layer_count: Some(1),
                 ..Default::default()
@@ -141,7 +158,9 @@ impl Renderer<'_> {
             _ => None,
         };
         let views: Vec<_> = colors.iter().map(|color| color.and_then(|index| view(index, 0))).collect();
-        let (Some(depth_view), Some(Ready::Draw(pipeline, bind_groups))) = (view(depth, layer), ready) else {
+        let (Some(depth_view), Some((Pipeline::Render(pipeline), bind_groups))) =
+            (view(depth, layer), self.ready(bound))
+        else {
             return;
         };
         let attachments: Vec<_> = views
@@ -161,6 +180,7 @@ impl Renderer<'_> {
             .collect();
         let clear = wgpu::LoadOp::Clear(if reversed { 0.0 } else { 1.0 });
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(self.label),
             color_attachments: &attachments,
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &depth_view,
