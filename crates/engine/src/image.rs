@@ -58,16 +58,21 @@ pub(crate) fn read(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, Error>
     Ok(Picture { width, height, pixels })
 }
 
+/// A texel's values; those that it doesn't have are 0.
 fn decode(format: wgpu::TextureFormat, texel: &[u8]) -> [f32; 4] {
+    let word = |i: usize| -> [u8; 4] { std::array::from_fn(|byte| texel[4 * i + byte]) };
+    let words = texel.len() / 4;
     match format {
         wgpu::TextureFormat::Rgba16Float => {
             std::array::from_fn(|i| f16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]).to_f32())
         }
         wgpu::TextureFormat::Depth32Float => {
-            let depth = f32::from_le_bytes([texel[0], texel[1], texel[2], texel[3]]);
+            let depth = f32::from_le_bytes(word(0));
             [depth, depth, depth, 1.0]
         }
-        _ => std::array::from_fn(|i| {
+        wgpu::TextureFormat::R32Uint => [u32::from_le_bytes(word(0)) as f32, 0.0, 0.0, 0.0],
+        wgpu::TextureFormat::Rgba8Unorm => std::array::from_fn(|i| f32::from(texel[i]) / 255.0),
+        wgpu::TextureFormat::Rgba8UnormSrgb => std::array::from_fn(|i| {
             let value = f32::from(texel[i]) / 255.0;
             match i {
                 3 => value,
@@ -75,5 +80,7 @@ fn decode(format: wgpu::TextureFormat, texel: &[u8]) -> [f32; 4] {
                 _ => ((value + 0.055) / 1.055).powf(2.4),
             }
         }),
+        // Single-precision floats: one, two or four.
+        _ => std::array::from_fn(|i| if i < words { f32::from_le_bytes(word(i)) } else { 0.0 }),
     }
 }

@@ -216,10 +216,10 @@ fn set() {
     error: no pass is called `difuse`
      = did you mean `diffuse`? one of: voxelize, shadow_maps, light, filter, bounce, gbuffer, diffuse, specular, composite
     "#);
-    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @r#"
+    assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @"
     error: pass `diffuse` has no parameter `stp`
-     = did you mean `step`? one of: start, ring, stepper, step
-    "#);
+     = did you mean `step`? one of: stepper, step, start, ring
+    ");
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @r#"
     error: parameter `step` of pass `diffuse` can't be 7
      = a number in (0, 1]: Step over cell size, of the tangent spheres; 1 unless given.

@@ -92,8 +92,13 @@ fn tracers() {
                  fn trace_gather(a: Apex, d: vec3f, s: f32, r: Reach) -> Gathered { return Gathered(); }\n";
     let opacity = "fn trace_opacity(a: Apex, d: vec3f, s: f32, r: Reach, f: f32) -> f32 { return f; }\n";
     fulfils("tracer/new/trace", &format!("{asked}{opacity}")).unwrap();
-    assert_snapshot!(fulfils("tracer/new/trace", asked).unwrap_err(), @r#"
-    "#);
+    assert_snapshot!(fulfils("tracer/new/trace", asked).unwrap_err(), @"
+    error: tracer `new` must have `fn trace_opacity(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach, falloff: f32) -> f32`
+      ┌─ tracer/new/trace.wgsl:1:1
+      │
+    1 │ struct Apex { p: vec3f }
+      │ ^ nowhere in this file
+    ");
 }
 
 #[test]
