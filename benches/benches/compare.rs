@@ -10,8 +10,8 @@ use std::sync::atomic::AtomicBool;
 
 use voxlume::Pipeline;
 use voxlume::Registry;
-use voxlume_measure::Progress;
 use voxlume_measure::compare::Sweep;
+use voxlume_measure::{Progress, Settings};
 use voxlume_report::{Results, against, table};
 
 const FOLDER: &str = "target/bench/compare";
@@ -54,19 +54,21 @@ fn run(save: bool) -> Result<(), Box<dyn Error>> {
     let pipeline = Pipeline::builtin("gi")?;
     // What never changes, so that figures of different days can be held against each other.
     let sweep = Sweep {
-        registry: &registry,
-        pipeline: &pipeline,
+        settings: Settings {
+            registry: &registry,
+            pipeline: &pipeline,
+            formats: vec!["all".into()],
+            encodings: Vec::new(),
+            tracer: None,
+            resolutions: vec![64, 128],
+            size: [256, 256],
+            adapter: None,
+        },
         scenes: ["scenes/cornell.ron", "scenes/lights.ron"].map(Into::into).to_vec(),
         camera: None,
-        formats: vec!["all".into()],
-        tracer: None,
-        encodings: Vec::new(),
-        resolutions: vec![64, 128],
         effects: vec!["all".into()],
-        size: [256, 256],
         samples: 512,
         repeat: 5,
-        adapter: None,
         folder: FOLDER.into(),
     };
     let results = sweep.run(&mut Stages, &AtomicBool::new(false))?;

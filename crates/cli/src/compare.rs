@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use voxlume::Fault;
 use voxlume::Registry;
 use voxlume_measure::compare::Sweep;
-use voxlume_measure::{Error, Progress as _};
+use voxlume_measure::{Error, Progress as _, Settings};
 use voxlume_report::{Results, against, table};
 
 use crate::args::size;
@@ -99,19 +99,21 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     progress.stage("loading".into());
     let baseline = args.baseline.as_deref().map(baseline).transpose()?;
     let sweep = Sweep {
-        registry,
-        tracer: args.tracer.clone(),
-        pipeline: &pipeline,
+        settings: Settings {
+            registry,
+            pipeline: &pipeline,
+            formats: args.formats.clone(),
+            encodings: args.encodings.clone(),
+            tracer: args.tracer.clone(),
+            resolutions: args.resolutions.clone(),
+            size: args.size,
+            adapter: args.adapter.clone(),
+        },
         scenes: args.scenes.clone(),
         camera: args.camera.clone(),
-        formats: args.formats.clone(),
-        encodings: args.encodings.clone(),
-        resolutions: args.resolutions.clone(),
         effects: args.effects.clone(),
-        size: args.size,
         samples: args.spp,
         repeat: args.repeat,
-        adapter: args.adapter.clone(),
         folder: args.out.clone(),
     };
     let results = sweep.run(&mut progress, stop).map_err(|error| match error {

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use voxlume::Registry;
-use voxlume_measure::Error;
 use voxlume_measure::outfile::{self, OutFile};
 use voxlume_measure::stability::{Ran, Suite, cases};
+use voxlume_measure::{Error, Settings};
 use voxlume_report::{Stability, stability_page, utc_now};
 
 use crate::args::size;
@@ -44,6 +44,10 @@ pub struct Args {
     #[arg(long, value_name = "LIST", default_value = "rgba16float", value_delimiter = ',')]
     encodings: Vec<String>,
 
+    /// Tracer, instead of the pipeline's: cones
+    #[arg(long)]
+    tracer: Option<String>,
+
     /// Voxels along the grid's side, instead of each case's own
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     resolutions: Vec<u32>,
@@ -76,14 +80,17 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     outfile::distinct(json.iter().chain(&html))?;
     let pipeline = pipeline::load("gi")?;
     let suite = Suite {
-        registry,
-        pipeline: &pipeline,
+        settings: Settings {
+            registry,
+            pipeline: &pipeline,
+            formats: args.formats.clone(),
+            encodings: args.encodings.clone(),
+            tracer: args.tracer.clone(),
+            resolutions: args.resolutions.clone(),
+            size: args.size,
+            adapter: args.adapter.clone(),
+        },
         cases: args.cases.clone(),
-        formats: args.formats.clone(),
-        encodings: args.encodings.clone(),
-        resolutions: args.resolutions.clone(),
-        size: args.size,
-        adapter: args.adapter.clone(),
     };
     let mut progress = Progress::new();
     let Ran { stability, finished, all } = suite.run(&mut progress, stop)?;

@@ -8,32 +8,20 @@ mod sweep;
 
 use std::sync::atomic::AtomicBool;
 
-use voxlume::{Pipeline, Registry};
 use voxlume_report::Stability;
 
-use crate::{Error, Progress};
+use crate::{Error, Progress, Settings};
 
 pub use cases::Case;
 pub use sweep::all as cases;
 
 /// What to run: a cell for each case, format, encoding and resolution.
 pub struct Suite<'a> {
-    /// Formats and WGSL modules that there are.
-    pub registry: &'a Registry,
-    /// The pipeline `gi`, whose passes and images the cases name.
-    pub pipeline: &'a Pipeline,
+    /// The pipeline `gi`, whose passes and images the cases name, and what it is measured in; without resolutions in each
+    /// case's own.
+    pub settings: Settings<'a>,
     /// Names of cases; all if there are none.
     pub cases: Vec<String>,
-    /// Storage formats, or `all`.
-    pub formats: Vec<String>,
-    /// Texel encodings, or `all`.
-    pub encodings: Vec<String>,
-    /// Voxels along the grid's longest side; each case's own if there are none.
-    pub resolutions: Vec<u32>,
-    /// Width and height of the images in pixels.
-    pub size: [u32; 2],
-    /// Part of the name of the graphics device; any if `None`.
-    pub adapter: Option<String>,
 }
 
 /// What a run gave.

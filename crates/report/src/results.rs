@@ -47,7 +47,7 @@ pub struct Row {
     pub width: u32,
     /// Height of the screen in pixels.
     pub height: u32,
-    /// The setting whose image this one is held against; absent for the reference.
+    /// The setting whose image this one is held against, as [`Row::setting`] says it; absent for the reference.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held_against: Option<String>,
     /// Figures, or why there are none.

@@ -82,7 +82,7 @@ error: unknown storage format `sh3`
  = did you mean `sh2`? one of: isotropic, six_face, sh2, or all
 
 error: a grid of 4 × 4 × 4 voxels
- = each side: 8 to 512",
+ = 8 to 512 along the longest side",
     );
 }
 

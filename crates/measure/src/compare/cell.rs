@@ -1,14 +1,14 @@
 //! The cells of a sweep.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
-use voxlume::{Camera, Encoding, Fault, Faults, Grid, Request, Scene, SceneFacts, check_variant, one_of};
+use voxlume::{Camera, Fault, Faults, Request, Scene, SceneFacts, one_of};
 use voxlume_reference::cache::SceneDigest;
 
 use super::Sweep;
 use crate::Error;
 use crate::effect::Effect;
+use crate::settings::{Setting, Settings};
 use crate::words::words;
 
 /// A scene of the sweep.
@@ -25,20 +25,6 @@ pub struct Subject {
     pub camera: Camera,
     /// Whether emissive polygons are lights of their own.
     area_lights: bool,
-}
-
-/// How voxels are stored.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Setting {
-    pub format: String,
-    pub encoding: String,
-    pub resolution: u32,
-}
-
-impl fmt::Display for Setting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} {}³", self.format, self.encoding, self.resolution)
-    }
 }
 
 /// One comparison.
@@ -72,32 +58,25 @@ impl Cell<'_> {
 /// Loads the scenes, and finds out which cells there are.
 pub fn cells<'p>(sweep: &Sweep<'p>) -> Result<Cells<'p>, Error> {
     let mut faults = Faults::default();
-    let variants = variants(sweep, &mut faults);
+    let variants = sweep.settings.variants(&mut faults);
     let effects = effects(sweep, &mut faults);
-    let resolutions = resolutions(sweep, &mut faults);
+    let resolutions = sweep.settings.resolutions(&mut faults);
     let subjects = subjects(sweep, &mut faults);
     if !faults.is_empty() {
         return Err(faults.into());
     }
-    let Some((variant, resolution)) = variants.first().zip(resolutions.iter().max()) else {
+    let settings = Setting::each(&variants, &resolutions);
+    let Some((first, resolution)) = settings.first().zip(resolutions.iter().max()) else {
         return Err(Fault::new("nothing to compare: no format, encoding or resolution").into());
     };
-    let setting = |(format, encoding): &(String, String), resolution: u32| Setting {
-        format: format.clone(),
-        encoding: encoding.clone(),
-        resolution,
-    };
-    let finest = setting(variant, *resolution);
+    let finest = Setting { resolution: *resolution, ..first.clone() };
     let mut cells = Vec::new();
     for (subject, Subject { facts, area_lights, .. }) in subjects.iter().enumerate() {
         let there = |effect: &&Effect<'_>| {
             effect.entry.when.as_ref().is_none_or(|when| facts.meets(&when.value, *area_lights))
         };
         for &effect in effects.iter().filter(there) {
-            for variant in &variants {
-                let cell = |&resolution| Cell { subject, effect, setting: setting(variant, resolution) };
-                cells.extend(resolutions.iter().map(cell));
-            }
+            cells.extend(settings.iter().map(|setting| Cell { subject, effect, setting: setting.clone() }));
         }
     }
     if cells.is_empty() {
@@ -107,39 +86,13 @@ pub fn cells<'p>(sweep: &Sweep<'p>) -> Result<Cells<'p>, Error> {
     Ok(Cells { subjects, cells, finest })
 }
 
-/// Formats and encodings, each with each.
-fn variants(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<(String, String)> {
-    let Sweep { pipeline, .. } = sweep;
-    let known = &sweep.registry.formats;
-    let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &sweep.formats, &names, faults);
-    let encodings = if sweep.encodings.is_empty() {
-        vec![pipeline.encoding.value.clone()]
-    } else {
-        words("encoding", &sweep.encodings, &Encoding::ALL.map(Encoding::name), faults)
-    };
-    if faults.is_empty() {
-        for format in &formats {
-            faults.gather(check_variant(pipeline, known, format, Encoding::Rgba16Float.name()));
-        }
-        for encoding in &encodings {
-            faults.gather(check_variant(pipeline, known, names[0], encoding));
-        }
-    }
-    let with = |format: &String| {
-        let format = format.clone();
-        encodings.iter().map(move |encoding| (format.clone(), encoding.clone())).collect::<Vec<_>>()
-    };
-    formats.iter().flat_map(with).collect()
-}
-
 /// The effects asked for, in the order of the pipeline's file.
 fn effects<'p>(sweep: &Sweep<'p>, faults: &mut Faults) -> Vec<Effect<'p>> {
-    let all = Effect::all(sweep.pipeline);
+    let all = Effect::all(sweep.settings.pipeline);
     let names: Vec<&str> = all.iter().map(|effect| effect.name).collect();
     for (index, effect) in all.iter().enumerate().filter(|(i, effect)| names[..*i].contains(&effect.name)) {
         let message = format!("two images would be compared as `{}`", names[index]);
-        faults.push(sweep.pipeline.fault(
+        faults.push(sweep.settings.pipeline.fault(
             &effect.entry.run.span,
             message,
             "the second; give the effect another `name`",
@@ -149,22 +102,8 @@ fn effects<'p>(sweep: &Sweep<'p>, faults: &mut Faults) -> Vec<Effect<'p>> {
     all.into_iter().filter(|effect| asked.iter().any(|word| word == effect.name)).collect()
 }
 
-/// The resolutions asked for, each once.
-fn resolutions(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<u32> {
-    let mut resolutions: Vec<u32> = Vec::new();
-    for &resolution in &sweep.resolutions {
-        if !Grid::RESOLUTIONS.contains(&resolution) {
-            let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
-            faults.push(fault.note(Grid::resolution_range()));
-        } else if !resolutions.contains(&resolution) {
-            resolutions.push(resolution);
-        }
-    }
-    resolutions
-}
-
 fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
-    let [width, height] = sweep.size;
+    let Settings { registry, pipeline, size: [width, height], ref tracer, .. } = sweep.settings;
     let mut subjects: Vec<Subject> = Vec::new();
     for (path, label) in sweep.scenes.iter().zip(labels(&sweep.scenes)) {
         if subjects.iter().any(|subject| subject.label == label) {
@@ -175,8 +114,8 @@ fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
         let Some(camera) = faults.gather(scene.camera(sweep.camera.as_deref()).cloned()) else { continue };
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
         // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request { tracer: sweep.tracer.clone(), ..Request::image(width, height) };
-        let plan = faults.gather(voxlume::plan(sweep.pipeline, &facts, sweep.registry, &request));
+        let request = Request { tracer: tracer.clone(), ..Request::image(width, height) };
+        let plan = faults.gather(voxlume::plan(pipeline, &facts, registry, &request));
         let area_lights = plan.is_some_and(|plan| plan.area_lights);
         let digest = SceneDigest::of(&scene);
         subjects.push(Subject { label, scene, digest, facts, camera, area_lights });

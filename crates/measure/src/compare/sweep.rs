@@ -8,12 +8,13 @@ use voxlume_reference::{PixelSampling, Reflection};
 use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, utc_now};
 
 use super::Sweep;
-use super::cell::{Cell, Cells, Setting, Subject, cells};
+use super::cell::{Cell, Cells, Subject, cells};
 use super::folder::{Finished, Folder, Pictures};
 use super::measure::{image_size, measure};
 use super::report::judge;
 use super::truth::{Last, References, Truth};
 use crate::effect::bounces;
+use crate::settings::{Setting, Settings};
 use crate::{Error, Progress, describe};
 
 /// What cells need.
@@ -39,7 +40,7 @@ enum Against {
 pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) -> Result<Results, Error> {
     let Cells { subjects, cells, finest } = cells(sweep)?;
     let folder = Folder::new(&sweep.folder)?;
-    let gpu = Gpu::open(sweep.adapter.as_deref())?;
+    let gpu = Gpu::open(sweep.settings.adapter.as_deref())?;
     let device = describe(&gpu.info);
     let references = References::new(&folder.cache());
     let last = Last::default();
@@ -65,7 +66,7 @@ pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
                 results.rows.push(run.row(cell, Outcome::Failed { fault: error.to_string() }));
                 // Later cells get a device that works.
                 if run.gpu.check().is_err() {
-                    run.gpu = Gpu::open(sweep.adapter.as_deref())?;
+                    run.gpu = Gpu::open(sweep.settings.adapter.as_deref())?;
                 }
             }
         }
@@ -129,22 +130,16 @@ impl Run<'_> {
     }
 
     fn plan(&self, cell: &Cell<'_>, setting: &Setting) -> Result<Plan, Error> {
-        let request = Request {
-            format: Some(setting.format.clone()),
-            encoding: Some(setting.encoding.clone()),
-            tracer: self.sweep.tracer.clone(),
-            resolution: Some(setting.resolution),
-            output: Some(cell.effect.image.to_owned()),
-            filters_float32: self.gpu.filters_float32(),
-            ..Request::image(self.sweep.size[0], self.sweep.size[1])
-        };
+        let Settings { registry, pipeline, .. } = self.sweep.settings;
+        let output = Some(cell.effect.image.to_owned());
+        let request = Request { output, ..self.sweep.settings.request(setting, &self.gpu) };
         let facts = &self.subjects[cell.subject].facts;
-        voxlume::plan(self.sweep.pipeline, facts, self.sweep.registry, &request).map_err(Error::from)
+        voxlume::plan(pipeline, facts, registry, &request).map_err(Error::from)
     }
 
     /// The path tracer's picture of the effect's quantity; without one, the effect in the finest setting.
     fn against(&self, cell: &Cell<'_>, plan: &Plan) -> Result<Against, Error> {
-        let Sweep { pipeline, size: [width, height], samples, .. } = *self.sweep;
+        let Settings { pipeline, size: [width, height], .. } = self.sweep.settings;
         let subject = &self.subjects[cell.subject];
         let quantity = cell.effect.quantity(pipeline, plan, &subject.scene, bounces(pipeline))?;
         let Some(quantity) = quantity else {
@@ -154,7 +149,7 @@ impl Run<'_> {
             camera: subject.camera.clone(),
             width,
             height,
-            samples,
+            samples: self.sweep.samples,
             seed: 0,
             sampling: PixelSampling::Centre,
             quantity,
@@ -189,8 +184,8 @@ impl Run<'_> {
             format,
             encoding,
             resolution,
-            width: self.sweep.size[0],
-            height: self.sweep.size[1],
+            width: self.sweep.settings.size[0],
+            height: self.sweep.settings.size[1],
             held_against: cell.effect.reference.is_none().then(|| self.finest.to_string()),
             outcome,
         }
@@ -202,7 +197,7 @@ impl Run<'_> {
         for (row, pictures) in pictures {
             strips.push(self.folder.strip(*row, pictures)?);
         }
-        let [width, height] = self.sweep.size;
+        let [width, height] = self.sweep.settings.size;
         let subtitle = format!(
             "{width} × {height} pixels; reference of {} samples a pixel; medians of {} frames",
             self.sweep.samples, self.sweep.repeat

@@ -1,22 +1,17 @@
 //! Where cases are measured: a device, and one format, encoding and resolution.
 
 use voxlume::{
-    Faults, Gpu, Grid, Passes, Picture, Pipeline, Registry, Renderer, Request, ResourceKind, Scene,
-    SceneFacts, Value,
+    Faults, Gpu, Grid, Passes, Picture, Renderer, Request, ResourceKind, Scene, SceneFacts, Value,
 };
 
-use crate::Error;
+use crate::settings::Setting;
+use crate::{Error, Settings};
 
 /// A setting on a device.
 pub struct Bench<'g> {
-    pub registry: &'g Registry,
+    pub settings: &'g Settings<'g>,
+    pub setting: Setting,
     pub gpu: &'g Gpu,
-    pub pipeline: &'g Pipeline,
-    pub format: String,
-    pub encoding: String,
-    pub resolution: u32,
-    /// Pixels of images.
-    pub size: [u32; 2],
 }
 
 /// A parameter of a pass: pass, name, value.
@@ -25,7 +20,7 @@ pub type Set = (&'static str, &'static str, Value);
 impl Bench<'_> {
     /// Renders a frame up to an image, from the scene's first camera.
     pub fn render(&self, scene: &Scene, output: &str, set: &[Set]) -> Result<Renderer<'_>, Error> {
-        self.render_at(self.resolution, self.size, scene, output, set)
+        self.render_at(self.setting.resolution, self.settings.size, scene, output, set)
     }
 
     /// As `render`, at another resolution and size.
@@ -38,18 +33,17 @@ impl Bench<'_> {
         set: &[Set],
     ) -> Result<Renderer<'_>, Error> {
         let request = Request {
-            format: Some(self.format.clone()),
-            encoding: Some(self.encoding.clone()),
             resolution: Some(resolution),
+            screen: size,
             output: Some(output.into()),
             set: set
                 .iter()
                 .map(|(pass, name, value)| ((*pass).into(), (*name).into(), value.clone()))
                 .collect(),
-            filters_float32: self.gpu.filters_float32(),
-            ..Request::image(size[0], size[1])
+            ..self.settings.request(&self.setting, self.gpu)
         };
-        let plan = voxlume::plan(self.pipeline, &SceneFacts::of(scene)?, self.registry, &request)?;
+        let Settings { registry, pipeline, .. } = self.settings;
+        let plan = voxlume::plan(pipeline, &SceneFacts::of(scene)?, registry, &request)?;
         let mut renderer = Renderer::new(self.gpu, plan, scene)?;
         renderer.render(scene, &scene.cameras[0], Passes::All)?;
         Ok(renderer)
@@ -62,12 +56,12 @@ impl Bench<'_> {
 
     /// The grid that a scene gets.
     pub fn grid(&self, scene: &Scene) -> Grid {
-        Grid::fit(self.resolution, scene.bounds())
+        Grid::fit(self.setting.resolution, scene.bounds())
     }
 
     /// Whether the format tells the sides of a surface apart.
     pub fn is_directional(&self) -> bool {
-        !self.format.starts_with("isotropic")
+        !self.setting.format.starts_with("isotropic")
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use voxlume::{Encoding, Fault, Faults, Gpu, Grid};
+use voxlume::{Fault, Faults, Gpu};
 use voxlume_fault::suggest;
 use voxlume_report::{Stability, StabilityRow};
 
@@ -10,15 +10,13 @@ use super::bench::{Bench, scene};
 use super::cases::{CASES, Case, Measure, REFUSED};
 use super::figure::Figures;
 use super::{Ran, Suite, misses};
-use crate::words::words;
+use crate::settings::Setting;
 use crate::{Error, Progress, describe};
 
 /// One case in one setting.
 struct Cell {
     case: &'static Case,
-    format: String,
-    encoding: String,
-    resolution: u32,
+    setting: Setting,
 }
 
 /// Every case.
@@ -29,16 +27,14 @@ pub fn all() -> impl Iterator<Item = &'static Case> {
 /// Runs the cases asked for, and tells of them.
 pub fn run(suite: &Suite<'_>, progress: &mut dyn Progress, stop: &AtomicBool) -> Result<Ran, Error> {
     let cells = cells(suite)?;
-    let mut gpu = Gpu::open(suite.adapter.as_deref())?;
+    let mut gpu = Gpu::open(suite.settings.adapter.as_deref())?;
     let mut stability = Stability::new(describe(&gpu.info));
     let mut done = 0;
     for (number, cell) in cells.iter().enumerate() {
         if stop.load(Ordering::Relaxed) {
             break;
         }
-        let Cell { case, format, encoding, resolution } = cell;
-        let place =
-            format!("cell {}/{}: {} {format} {encoding} {resolution}³", number + 1, cells.len(), case.name);
+        let place = format!("cell {}/{}: {} {}", number + 1, cells.len(), cell.case.name, cell.setting);
         if number == 0 {
             progress.stage(place);
         } else {
@@ -54,7 +50,7 @@ pub fn run(suite: &Suite<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
         done += 1;
         // Later cells get a device that works.
         if gpu.check().is_err() {
-            gpu = Gpu::open(suite.adapter.as_deref())?;
+            gpu = Gpu::open(suite.settings.adapter.as_deref())?;
         }
     }
     Ok(Ran { stability, finished: done, all: cells.len() })
@@ -68,45 +64,31 @@ fn cells(suite: &Suite<'_>) -> Result<Vec<Cell>, Faults> {
         let label = suggest(case, names.iter().copied());
         faults.push(Fault::new(format!("unknown case `{case}`")).note(label));
     }
-    let known: Vec<&str> = suite.registry.formats.iter().map(|format| format.name()).collect();
-    let formats = words("storage format", &suite.formats, &known, &mut faults);
-    let encodings = words("encoding", &suite.encodings, &Encoding::ALL.map(Encoding::name), &mut faults);
-    for resolution in suite.resolutions.iter().filter(|resolution| !Grid::RESOLUTIONS.contains(resolution)) {
-        let range = Grid::RESOLUTIONS;
-        let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));
-        faults.push(fault.note(format!("each side: {} to {}", range.start(), range.end())));
-    }
+    let variants = suite.settings.variants(&mut faults);
+    let asked = suite.settings.resolutions(&mut faults);
     let mut cells = Vec::new();
     for case in
         all().filter(|case| suite.cases.is_empty() || suite.cases.iter().any(|name| name == case.name))
     {
-        if let Measure::Loaded(_) = case.measure {
-            cells.push(Cell { case, format: "-".into(), encoding: "-".into(), resolution: 0 });
-            continue;
-        }
-        let resolutions = if suite.resolutions.is_empty() { case.resolutions } else { &suite.resolutions };
-        for format in &formats {
-            for encoding in &encodings {
-                cells.extend(resolutions.iter().map(|&resolution| Cell {
-                    case,
-                    format: format.clone(),
-                    encoding: encoding.clone(),
-                    resolution,
-                }));
+        let settings = match case.measure {
+            Measure::Loaded(_) => {
+                vec![Setting { format: "-".into(), encoding: "-".into(), resolution: 0 }]
             }
-        }
+            Measure::Rendered(_) => {
+                Setting::each(&variants, if asked.is_empty() { case.resolutions } else { &asked })
+            }
+        };
+        cells.extend(settings.into_iter().map(|setting| Cell { case, setting }));
     }
     faults.into_result(cells)
 }
 
 fn measure(cell: &Cell, suite: &Suite<'_>, gpu: &Gpu) -> Figures {
-    let Suite { registry, pipeline, size, .. } = *suite;
-    let Cell { case, format, encoding, resolution } = cell;
+    let Cell { case, setting } = cell;
     match case.measure {
         Measure::Loaded(measure) => measure(case.scene),
         Measure::Rendered(measure) => {
-            let (format, encoding) = (format.clone(), encoding.clone());
-            let bench = Bench { registry, gpu, pipeline, format, encoding, resolution: *resolution, size };
+            let bench = Bench { settings: &suite.settings, setting: setting.clone(), gpu };
             measure(&bench, &scene(case.scene)?)
         }
     }
@@ -115,9 +97,9 @@ fn measure(cell: &Cell, suite: &Suite<'_>, gpu: &Gpu) -> Figures {
 fn rows(cell: &Cell, figures: Figures) -> Vec<StabilityRow> {
     let row = |figure: String, value: f64, bound, pass, at| StabilityRow {
         case: cell.case.name.into(),
-        format: cell.format.clone(),
-        encoding: cell.encoding.clone(),
-        resolution: cell.resolution,
+        format: cell.setting.format.clone(),
+        encoding: cell.setting.encoding.clone(),
+        resolution: cell.setting.resolution,
         figure,
         value,
         bound,

@@ -12,7 +12,7 @@ const ALL: [(&str, &str, Value); 2] =
 
 /// Counts them, with a pixel in the very middle.
 pub fn finite(bench: &Bench<'_>, scene: &Scene) -> Figures {
-    let count = count(bench, scene, bench.size.map(|side| side | 1))?;
+    let count = count(bench, scene, bench.settings.size.map(|side| side | 1))?;
     Ok(vec![Figure::at_most("values not finite", count as f64, 0.0)])
 }
 
@@ -32,7 +32,7 @@ pub fn not_finite(picture: &Picture) -> usize {
 }
 
 fn count(bench: &Bench<'_>, scene: &Scene, size: [u32; 2]) -> Result<usize, Error> {
-    let renderer = bench.render_at(bench.resolution, size, scene, "final", &ALL)?;
+    let renderer = bench.render_at(bench.setting.resolution, size, scene, "final", &ALL)?;
     let mut count = 0;
     for name in images(&renderer) {
         count += not_finite(&renderer.picture(&name)?);
