@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use voxlume::Fault;
-use voxlume_report::{Row, Strip};
+use voxlume_report::{Results, Row, Strip, csv, page, utc_now};
 
 use crate::Error;
 use crate::outfile::{self, OutFile};
@@ -75,8 +75,24 @@ impl Folder {
         outfile::write(&[(OutFile::new(&cell)?, text)])
     }
 
+    /// Writes the report's files, all or none. `pictures` are those of a row each.
+    pub fn report(
+        &self,
+        results: &Results,
+        pictures: &[(usize, Pictures)],
+        subtitle: &str,
+    ) -> Result<(), Error> {
+        let strips: Vec<Strip> =
+            pictures.iter().map(|(row, pictures)| self.strip(*row, pictures)).collect::<Result<_, _>>()?;
+        let json = results.to_json().map_err(|error| Error::work(error.to_string()))?;
+        let html = page(results, &strips, &utc_now(), subtitle);
+        let files = [("results.json", json), ("results.csv", csv(results)), ("report.html", html)];
+        let out = files.map(|(name, text)| Ok((OutFile::new(&self.0.join(name))?, text.into_bytes())));
+        outfile::write(&out.into_iter().collect::<Result<Vec<_>, Error>>()?)
+    }
+
     /// A finished cell's pictures, for the page.
-    pub fn strip(&self, row: usize, pictures: &Pictures) -> Result<Strip, Error> {
+    fn strip(&self, row: usize, pictures: &Pictures) -> Result<Strip, Error> {
         let read = |name: &str| {
             let path = self.image(name);
             std::fs::read(&path)
@@ -90,15 +106,6 @@ impl Folder {
             error: read(error)?,
             error_scale: *error_scale,
         })
-    }
-
-    /// Writes the report's files, all or none.
-    pub fn write(&self, files: Vec<(&str, String)>) -> Result<(), Error> {
-        let mut out = Vec::new();
-        for (name, text) in files {
-            out.push((OutFile::new(&self.0.join(name))?, text.into_bytes()));
-        }
-        outfile::write(&out)
     }
 
     fn image(&self, name: &str) -> PathBuf {

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use voxlume::{Gpu, Plan, Request};
 use voxlume_reference::cache::Key;
 use voxlume_reference::{PixelSampling, Reflection};
-use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, utc_now};
+use voxlume_report::{Outcome, Results, Row, SCHEMA};
 
 use super::Sweep;
 use super::cell::{Cell, Cells, Subject, cells};
@@ -71,7 +71,13 @@ pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
             }
         }
     }
-    run.write(&results, &pictures)?;
+    run.progress.stage("writing the report".into());
+    let [width, height] = sweep.settings.size;
+    let subtitle = format!(
+        "{width} × {height} pixels; reference of {} samples a pixel; medians of {} frames",
+        sweep.samples, sweep.repeat
+    );
+    run.folder.report(&results, &pictures, &subtitle)?;
     Ok(results)
 }
 
@@ -189,21 +195,5 @@ impl Run<'_> {
             held_against: cell.effect.reference.is_none().then(|| self.finest.to_string()),
             outcome,
         }
-    }
-
-    fn write(&mut self, results: &Results, pictures: &[(usize, Pictures)]) -> Result<(), Error> {
-        self.progress.stage("writing the report".into());
-        let mut strips = Vec::new();
-        for (row, pictures) in pictures {
-            strips.push(self.folder.strip(*row, pictures)?);
-        }
-        let [width, height] = self.sweep.settings.size;
-        let subtitle = format!(
-            "{width} × {height} pixels; reference of {} samples a pixel; medians of {} frames",
-            self.sweep.samples, self.sweep.repeat
-        );
-        let json = results.to_json().map_err(|error| Error::work(error.to_string()))?;
-        let html = page(results, &strips, &utc_now(), &subtitle);
-        self.folder.write(vec![("results.json", json), ("results.csv", csv(results)), ("report.html", html)])
     }
 }
