@@ -22,11 +22,11 @@
 //! instead, which records into the program's encoder what has changed since the frame before:
 //!
 //! ```no_run
-//! # use voxlume::{Formats, Frame, Gpu, Library, Pipeline, Request, Scene, SceneFacts, Session, Value, plan, wgpu};
+//! # use voxlume::{Frame, Gpu, Pipeline, Registry, Request, Scene, SceneFacts, Session, Value, plan, wgpu};
 //! # fn embedded(device: wgpu::Device, queue: wgpu::Queue) -> Result<(), Box<dyn std::error::Error>> {
 //! # let mut scene = Scene::load("scenes/cornell.ron".as_ref())?;
-//! # let plan = plan(&Pipeline::builtin("gi")?, &SceneFacts::of(&scene)?, &Formats::builtin(), &Library::builtin(),
-//! #     &Request::image(512, 512))?;
+//! # let pipeline = Pipeline::builtin("gi")?;
+//! # let plan = plan(&pipeline, &SceneFacts::of(&scene)?, &Registry::builtin(), &Request::image(512, 512))?;
 //! let gpu = Gpu::new(device.clone(), queue.clone());
 //! let mut session = Session::new(&gpu, plan, &scene)?;
 //!
