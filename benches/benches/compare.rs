@@ -51,7 +51,7 @@ fn run(save: bool) -> Result<(), Box<dyn Error>> {
         _ => None,
     };
     let registry = Registry::builtin();
-    let pipeline = Pipeline::load("pipelines/gi.ron".as_ref())?;
+    let pipeline = Pipeline::builtin("gi")?;
     // What never changes, so that figures of different days can be held against each other.
     let sweep = Sweep {
         registry: &registry,

@@ -39,12 +39,10 @@ pub fn channel_shows(name: &str) -> Shows {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use voxlume::Source;
 
     #[test]
     fn an_entry_a_table_or_a_channel_says_it() {
-        let pipeline =
-            Pipeline::parse(&Source::new("gi.ron", include_str!("../../../pipelines/gi.ron"))).unwrap();
+        let pipeline = Pipeline::builtin("gi").unwrap();
         let of = |image| shows(&pipeline, &[], image);
         assert_eq!([of("shadow"), of("ao")], [Shows::Share; 2]);
         assert_eq!([of("diffuse"), of("specular"), of("final")], [Shows::Light; 3]);

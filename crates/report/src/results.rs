@@ -43,9 +43,9 @@ pub struct Row {
     pub encoding: String,
     /// Voxels along the grid's longest side.
     pub resolution: u32,
-    /// Width of the image in pixels.
+    /// Width of the screen in pixels.
     pub width: u32,
-    /// Height of the image in pixels.
+    /// Height of the screen in pixels.
     pub height: u32,
     /// The setting whose image this one is held against; absent for the reference.
     #[serde(default, skip_serializing_if = "Option::is_none")]

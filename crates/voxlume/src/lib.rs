@@ -57,6 +57,8 @@
 //! | [`Pipeline`] | A RON file of passes, read but not yet checked against shaders, formats and a scene. |
 //! | [`PIPELINES`] | The pipelines that come with Voxlume. |
 //! | [`PassEntry`] | A pass as RON describes it. |
+//! | [`Shows`] | What the values of a pass's image are, which says how a picture shows them. |
+//! | [`Reference`] | The path tracer's quantity that a pass's image is held against. |
 //! | [`Value`] | The value of a pass's parameter. |
 //! | [`Extent`] | What space the grid takes: the scene's, or a given box. |
 //! | [`DEFAULT_METHOD`] | How `voxelize` finds voxels unless told otherwise. |

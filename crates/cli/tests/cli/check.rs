@@ -86,9 +86,9 @@ error: effect `tint` must have `fn effect(surface: Surface, params: Params) -> v
   │    ^^^^^ did you mean this?
 
 error: b/tint.wgsl declares no `effect`
-  ┌─ wgsl/pass/effect.wgsl:6:34
+  ┌─ wgsl/pass/effect.wgsl:5:34
   │
-6 │ import package::effect::{Params, effect};
+5 │ import package::effect::{Params, effect};
   │                                  ^^^^^^ did you mean `efect`? one of: Params, efect
 
 2 WGSL modules: 3 faults");

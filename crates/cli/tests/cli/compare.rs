@@ -156,19 +156,19 @@ fn a_reference_is_written_with_its_error() {
 }
 
 /// An effect from outside the repository: how much lies behind a surface.
-const THICKNESS: &str =
-    "import package::common::cone::{ConeSettings, STEPPER_SPHERES, cone_trace, surface_cone};
-import package::common::surface::Surface;
+const THICKNESS: &str = "import package::common::surface::Surface;
+import package::common::trace::{Apex, reach_of};
+import package::tracer::trace::trace_opacity;
 
 struct Params {
-    /// How far the cone looks, voxels, (0, 1000].
+    /// How far it looks, voxels, (0, 1000].
     depth: f32,
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let cone = surface_cone(surface.position_voxel, inwards, inwards, 0.3, params.depth, 1.0);
-    return vec4f(vec3f(cone_trace(cone, ConeSettings(STEPPER_SPHERES, 1.0), 0.0).a), 1.0);
+    let apex = Apex(surface.position_voxel, inwards, 1.0);
+    return vec4f(vec3f(trace_opacity(apex, inwards, 0.3, reach_of(params.depth), 0.0)), 1.0);
 }
 ";
 
@@ -268,4 +268,22 @@ error: two images would be compared as `final`
 73 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
+}
+
+/// A coarser image is held against the pixels that its texels shade; with others its error is four times as large. A fifth
+/// more is what tiles of other pixels, which share out directions, come to.
+#[test]
+fn an_image_of_another_size_is_held_against_the_pixels_that_it_shades() {
+    let folder = Folder::new();
+    let half = "writes: [\"shadow\"],\n            scale: 2,";
+    folder.edit("half.ron", include_str!("../../../../pipelines/gi.ron"), "writes: [\"shadow\"],", half);
+    let ran = |pipeline: &str| {
+        let ran = compare(&folder, &format!("--effects soft_shadow --pipeline {pipeline}"));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        rows(&folder)[0]["error"]["rmse"].as_f64().unwrap()
+    };
+    let (full, half) = (ran("gi"), ran("half.ron"));
+    assert!((full - half).abs() < 0.3 * full, "{full} {half}");
+    let png = image::open(folder.path().join("out/images/cornell-soft_shadow-isotropic-rgba16float-32.png"));
+    assert_eq!(png.unwrap().into_rgb8().dimensions(), (16, 16));
 }

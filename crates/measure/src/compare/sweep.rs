@@ -10,7 +10,7 @@ use voxlume_report::{Outcome, Results, Row, SCHEMA, csv, page, utc_now};
 use super::Sweep;
 use super::cell::{Cell, Cells, Setting, Subject, cells};
 use super::folder::{Finished, Folder, Pictures};
-use super::measure::measure;
+use super::measure::{image_size, measure};
 use super::report::judge;
 use super::truth::{Last, References, Truth};
 use crate::effect::bounces;
@@ -89,9 +89,10 @@ impl Run<'_> {
             self.progress.repeated(format!("{place} is there"));
             return Ok(finished);
         }
-        let truth = self.last.or_make(&truth_key, || match against {
+        let size = image_size(&plan);
+        let truth = self.last.or_make(&format!("{truth_key} {size:?}"), || match against {
             Against::Traced(request) => {
-                self.references.get((cell.subject, subject), &request, self.progress, self.stop)
+                self.references.get((cell.subject, subject), &request, size, self.progress, self.stop)
             }
             Against::Rendered(plan) => {
                 let measured = measure(&self.gpu, *plan, &subject.scene, &subject.camera, 0)?;

@@ -6,10 +6,10 @@ use std::sync::atomic::AtomicBool;
 
 use voxlume::Shows;
 use voxlume_reference::cache::{Cache, Key};
-use voxlume_reference::{Request, Seen, Tracer};
+use voxlume_reference::{Picture, Request, Seen, Tracer};
 
 use super::cell::Subject;
-use super::measure::Measured;
+use super::measure::{Measured, screen_pixels};
 use super::report::own;
 use crate::{Error, Progress};
 
@@ -64,7 +64,7 @@ impl References {
         References { cache: Cache::new(folder), tracer: None }
     }
 
-    /// The reference of one of the subjects.
+    /// The reference of one of the subjects, for an image of `size` texels over the request's pixels.
     ///
     /// # Errors
     /// What the tracer says; `stop` was raised.
@@ -72,6 +72,7 @@ impl References {
         &mut self,
         (index, subject): (usize, &Subject),
         request: &Request,
+        size: [u32; 2],
         progress: &mut dyn Progress,
         stop: &AtomicBool,
     ) -> Result<Truth, Error> {
@@ -94,8 +95,13 @@ impl References {
             };
             tracer.render(request, &tell, stop)
         });
-        let picture = cached.map_err(failed)?.picture;
+        let Picture { mean, standard_error, .. } = cached.map_err(failed)?.picture;
         let seen = tracer.look(&request.camera, width, height).map_err(failed)?;
-        Ok(Truth { mean: picture.mean, standard_error: picture.standard_error, seen })
+        let texels: Vec<usize> = screen_pixels([width, height], size).collect();
+        Ok(Truth {
+            mean: texels.iter().map(|pixel| mean[*pixel]).collect(),
+            standard_error: texels.iter().map(|pixel| standard_error[*pixel]).collect(),
+            seen: texels.iter().map(|pixel| seen[*pixel]).collect(),
+        })
     }
 }
