@@ -90,31 +90,7 @@ fn an_effect_knows_its_texel_and_its_image_has_a_size_and_texels_of_its_own() {
 }
 
 /// The mean of an image around each of its texels.
-const SOFT: &str = "import package::common::surface::Surface;
-
-struct Params {
-    /// Texels, [0, 8].
-    radius: u32,
-}
-
-var source: texture_2d_array<f32>;
-
-fn effect(surface: Surface, params: Params) -> vec4f {
-    let radius = i32(params.radius);
-    var sum = vec4f(0.0);
-    var count = 0.0;
-    for (var y = -radius; y <= radius; y++) {
-        for (var x = -radius; x <= radius; x++) {
-            let texel = vec2i(surface.pixel) + vec2i(x, y);
-            if (all(texel >= vec2i(0)) && all(texel < vec2i(surface.image_size))) {
-                sum += textureLoad(source, texel, 0, 0);
-                count += 1.0;
-            }
-        }
-    }
-    return sum / count;
-}
-";
+const SOFT: &str = include_str!("../../book/src/write-an-effect/soft.wgsl");
 
 /// Diffuse light made softer twice, by the same file under two names.
 fn softened(first: u32, second: u32) -> Picture {

@@ -30,8 +30,8 @@ use crate::timing::{Report, Resource};
 /// Every timed frame runs all passes, also those, such as voxelize, that a still scene needs only once.
 ///
 /// With `--frames A..B` the scene's animation is rendered, from frame A on up to the one before B, each to a file with its
-/// number: frame N shows the scene at N/FPS seconds. Then only passes run whose result may have changed, and the times
-/// are theirs, over all frames.
+/// number: frame N shows the scene at N/FPS seconds. Then only passes run whose result may have changed. The time
+/// of each is over the frames that ran it, and the passes that ran are listed for each frame.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   voxlume render scenes/cornell.ron -o cornell.png

@@ -46,6 +46,34 @@ pub struct Numbers {
     pub end: u32,
     /// Frames a second.
     pub fps: f64,
+    /// What each of them did.
+    pub each: Vec<Ran>,
+}
+
+/// What a frame of an animation did.
+#[derive(Debug, Serialize)]
+pub struct Ran {
+    /// Its number.
+    pub frame: u32,
+    /// The passes that ran, in order.
+    pub ran: Vec<String>,
+}
+
+impl Numbers {
+    /// The passes that ran, a line for frames in a row that ran the same.
+    pub fn runs(&self) -> String {
+        let mut text = "passes that ran\n".to_owned();
+        for alike in self.each.chunk_by(|one, next| one.ran == next.ran) {
+            let (Some(first), Some(last)) = (alike.first(), alike.last()) else { continue };
+            let frames = match first.frame == last.frame {
+                true => format!("frame {}", first.frame),
+                false => format!("frames {} to {}", first.frame, last.frame),
+            };
+            let passes = if first.ran.is_empty() { "none".to_owned() } else { first.ran.join(", ") };
+            text += &format!("{frames}: {passes}\n");
+        }
+        text
+    }
 }
 
 /// A resource's size.

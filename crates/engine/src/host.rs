@@ -105,3 +105,31 @@ impl Host {
         self.gpu.queue.write_texture(to, bytes, layout, size);
     }
 }
+
+/// A buffer, and what it holds.
+#[derive(Debug)]
+pub(crate) struct Written {
+    pub buffer: wgpu::Buffer,
+    pub bytes: Vec<u8>,
+}
+
+impl Written {
+    pub fn new(
+        host: &mut Host,
+        label: &str,
+        bytes: &[u8],
+        usage: wgpu::BufferUsages,
+    ) -> Result<Written, Error> {
+        Ok(Written { buffer: host.buffer_with(label, bytes, usage)?, bytes: bytes.to_vec() })
+    }
+
+    /// Writes as many bytes as there are, if they differ; whether they do.
+    pub fn write(&mut self, host: &mut Host, bytes: &[u8]) -> bool {
+        let differs = self.bytes != bytes;
+        if differs {
+            host.write(&self.buffer, 0, bytes);
+            self.bytes.copy_from_slice(bytes);
+        }
+        differs
+    }
+}

@@ -3,6 +3,8 @@
 mod bind;
 mod counts;
 mod error;
+mod filler;
+mod frame;
 mod gpu;
 mod host;
 mod image;
@@ -21,11 +23,12 @@ mod volume;
 mod work;
 
 pub use error::Error;
+pub use frame::{Frame, Passes};
 pub use gpu::Gpu;
 pub use host::Counters;
 pub use image::Picture;
 pub use read::OutOfRange;
 pub use renderer::Renderer;
-pub use session::{Frame, Passes, Session};
+pub use session::Session;
 pub use timing::{Clock, PassTime};
 pub use volume::Texels;

@@ -5,7 +5,8 @@ use std::time::Instant;
 use voxlume_graph::Plan;
 use voxlume_scene::{Camera, Scene};
 
-use crate::session::{Frame, Passes, Session};
+use crate::frame::{Frame, Passes};
+use crate::session::Session;
 use crate::timing::{Clock, PassTime, Queries};
 use crate::{Error, Gpu};
 

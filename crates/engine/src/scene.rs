@@ -1,14 +1,20 @@
 //! The scene on the device: what the engine supplies to a plan under the names of WGSL's variables.
 
+mod same;
+mod textures;
+
 use glam::DVec3;
 use voxlume_graph::{Plan, SceneFacts};
-use voxlume_scene::{Camera, Geometry, Instance, LightKind, Scene};
+use voxlume_scene::{Camera, Instance, Scene};
 
 use crate::Error;
-use crate::host::Host;
+use crate::host::{Host, Written};
 use crate::resources::Object;
 use crate::schedule::Versions;
 use crate::upload::{frame, light, material, mesh, texture};
+
+use same::Known;
+use textures::{sampler, texture_array};
 
 /// The scene's buffers and textures.
 #[derive(Debug)]
@@ -35,29 +41,6 @@ pub(crate) struct SceneObjects {
     origin: DVec3,
 }
 
-/// A buffer, and what it holds.
-#[derive(Debug)]
-struct Written {
-    buffer: wgpu::Buffer,
-    bytes: Vec<u8>,
-}
-
-impl Written {
-    fn new(host: &mut Host, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> Result<Written, Error> {
-        Ok(Written { buffer: host.buffer_with(label, bytes, usage)?, bytes: bytes.to_vec() })
-    }
-
-    /// Writes as many bytes as there are, if they differ; whether they do.
-    fn write(&mut self, host: &mut Host, bytes: &[u8]) -> bool {
-        let differs = self.bytes != bytes;
-        if differs {
-            host.write(&self.buffer, 0, bytes);
-            self.bytes.copy_from_slice(bytes);
-        }
-        differs
-    }
-}
-
 impl SceneObjects {
     pub fn new(
         host: &mut Host,
@@ -66,7 +49,7 @@ impl SceneObjects {
         scene: &Scene,
     ) -> Result<SceneObjects, Error> {
         let origin = plan.grid.centre;
-        let (vertices, indices, still) = whole(scene, origin);
+        let (vertices, indices, still) = mesh::whole(scene, origin);
         let (storage, uniform) = (wgpu::BufferUsages::STORAGE, wgpu::BufferUsages::UNIFORM);
         let layers = texture::layers(scene);
         let [colors, data] = [true, false].map(|srgb| texture::array(scene, srgb, facts.texture_size));
@@ -152,21 +135,15 @@ impl SceneObjects {
         scene: &Scene,
         versions: &mut Versions,
     ) -> Result<(), Error> {
-        scene.check_frame()?;
-        let lights = light::lights(scene, plan, facts);
-        self.is_same_scene(plan, facts, scene, lights.count)?;
+        let lights = self.lights_of(plan, facts, scene)?;
         self.write_lights(host, scene, &lights, versions);
         if self.stand_as_in(scene) {
             return Ok(());
         }
         self.instances = scene.instances.clone();
         versions.geometry += 1;
-        let geometry = Geometry::moving(scene, plan.grid.centre);
         let (first_vertex, first_triangle) = self.still;
-        let mut triangles = geometry.triangles.clone();
-        masked_last(scene, &geometry, &mut triangles);
-        triangles.iter_mut().flatten().for_each(|index| *index += first_vertex as u32);
-        let vertices = mesh::vertices(&geometry);
+        let (vertices, triangles) = mesh::moving(scene, plan.grid.centre, first_vertex);
         let (vertex, triangle) = (size_of::<mesh::Vertex>(), size_of::<[u32; 3]>());
         host.write(&self.vertices, (first_vertex * vertex) as u64, bytemuck::cast_slice(&vertices));
         // A mirrored instance's triangles are turned.
@@ -185,9 +162,7 @@ impl SceneObjects {
         facts: &SceneFacts,
         scene: &Scene,
     ) -> Result<(), Error> {
-        scene.check_frame()?;
-        let lights = light::lights(scene, plan, facts);
-        self.is_same_scene(plan, facts, scene, lights.count)?;
+        let lights = self.lights_of(plan, facts, scene)?;
         let storage = wgpu::BufferUsages::STORAGE;
         let bytes: &[u8] = bytemuck::cast_slice(&lights.lights);
         if bytes.len() != self.lights.bytes.len() {
@@ -195,12 +170,21 @@ impl SceneObjects {
         }
         self.write_lights(host, scene, &lights, &mut Versions::default());
         if !self.stand_as_in(scene) || plan.grid.centre != self.origin {
-            let (vertices, indices, _) = whole(scene, plan.grid.centre);
+            let (vertices, indices, _) = mesh::whole(scene, plan.grid.centre);
             host.write(&self.vertices, 0, bytemuck::cast_slice(&vertices));
             host.write(&self.indices, 0, bytemuck::cast_slice(&indices));
             (self.instances, self.origin) = (scene.instances.clone(), plan.grid.centre);
         }
         Ok(())
+    }
+
+    /// The lights of a scene, if it is the one on the device.
+    fn lights_of(&self, plan: &Plan, facts: &SceneFacts, scene: &Scene) -> Result<light::Lights, Error> {
+        scene.check_frame()?;
+        let lights = light::lights(scene, plan, facts);
+        let (instances, still_vertices) = (self.instances.as_slice(), self.still.0);
+        Known { plan, facts, instances, still_vertices }.is(scene, lights.count)?;
+        Ok(lights)
     }
 
     fn write_lights(
@@ -224,115 +208,4 @@ impl SceneObjects {
         let pairs = self.instances.iter().zip(&scene.instances);
         pairs.into_iter().all(|(known, instance)| known.transform == instance.transform)
     }
-
-    /// Whether a scene is the one that was uploaded, but for what may differ from frame to frame.
-    fn is_same_scene(
-        &self,
-        plan: &Plan,
-        facts: &SceneFacts,
-        scene: &Scene,
-        lights: u32,
-    ) -> Result<(), Error> {
-        let other = |message: String| Err(Error::OtherScene(message));
-        let meshes = || scene.instances.iter().map(|instance| &scene.meshes[instance.mesh]);
-        let punctual = |kind: fn(&LightKind) -> bool| {
-            scene.lights.iter().filter(|light| kind(&light.kind)).count() as u32
-        };
-        let point = punctual(|kind| matches!(kind, LightKind::Point { .. }));
-        let spot = punctual(|kind| matches!(kind, LightKind::Spot { .. }));
-        let polygons = if plan.area_lights { facts.polygons.unwrap_or(0) } else { 0 };
-        let triangles = meshes().map(|mesh| mesh.triangles.len() as u32).sum();
-        let vertices = meshes().map(|mesh| mesh.positions.len() as u32).sum();
-        for (what, is, was) in [
-            ("lights", lights, facts.punctual() + polygons),
-            ("point lights", point, facts.point),
-            ("spot lights", spot, facts.spot),
-            ("triangles", triangles, facts.triangles),
-            ("vertices", vertices, facts.vertices),
-            ("instances", scene.instances.len() as u32, self.instances.len() as u32),
-        ] {
-            if is != was {
-                return other(format!("it has {is} {what} instead of {was}"));
-            }
-        }
-        for (instance, known) in scene.instances.iter().zip(&self.instances) {
-            if (instance.mesh, instance.moving) != (known.mesh, known.moving) {
-                return other(format!("`{}` is another instance", instance.name));
-            }
-            if !instance.moving && instance.transform != known.transform {
-                return other(format!("`{}` has moved and is not marked as moving", instance.name));
-            }
-        }
-        if scene.sky.max_element() > 0.0 && !facts.sky {
-            return other("its sky shines, and was dark".into());
-        }
-        Ok(())
-    }
-}
-
-/// All vertices and triangles, and how many of each never move.
-fn whole(scene: &Scene, origin: DVec3) -> (Vec<mesh::Vertex>, Vec<[u32; 3]>, (usize, usize)) {
-    let (geometry, moving) = (Geometry::new(scene, origin), Geometry::moving(scene, origin));
-    let still = (
-        geometry.positions.len() - moving.positions.len(),
-        geometry.triangles.len() - moving.triangles.len(),
-    );
-    let mut triangles = geometry.triangles.clone();
-    let (never, may) = triangles.split_at_mut(still.1);
-    masked_last(scene, &geometry, never);
-    masked_last(scene, &geometry, may);
-    (mesh::vertices(&geometry), triangles, still)
-}
-
-/// As the plan has them voxelized apart.
-fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
-    triangles.sort_by_key(|triangle| {
-        scene.materials[geometry.materials[triangle[0] as usize] as usize].is_masked()
-    });
-}
-
-fn sampler(host: &Host, address: wgpu::AddressMode, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {
-    host.gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        address_mode_u: address,
-        address_mode_v: address,
-        address_mode_w: address,
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        compare,
-        ..Default::default()
-    })
-}
-
-fn texture_array(
-    host: &mut Host,
-    label: &str,
-    array: &texture::TextureArray,
-    srgb: bool,
-) -> Result<wgpu::Texture, Error> {
-    let format = if srgb { wgpu::TextureFormat::Rgba8UnormSrgb } else { wgpu::TextureFormat::Rgba8Unorm };
-    let texture = host.texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: array.size, height: array.size, depth_or_array_layers: array.layers },
-        mip_level_count: array.levels.len() as u32,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    })?;
-    for (mip, bytes) in array.levels.iter().enumerate() {
-        let side = (array.size >> mip).max(1);
-        host.write_texture(
-            wgpu::TexelCopyTextureInfo { mip_level: mip as u32, ..texture.as_image_copy() },
-            bytes,
-            wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(4 * side),
-                rows_per_image: Some(side),
-            },
-            wgpu::Extent3d { width: side, height: side, depth_or_array_layers: array.layers },
-        );
-    }
-    Ok(texture)
 }

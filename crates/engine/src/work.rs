@@ -3,8 +3,9 @@
 use voxlume_graph::{Plan, Resource, ResourceKind};
 
 use crate::Error;
-use crate::bind::{Bound, Fillers};
+use crate::bind::Bound;
 use crate::counts::{Counts, counted};
+use crate::filler::Fillers;
 use crate::host::Host;
 use crate::program::Programs;
 use crate::record::Recorder;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::plan::{Groups, Pass, Program, Resource, Step, Target, Vertices};
+use crate::plan::{Groups, Life, Pass, Program, Resource, Step, Target, Vertices};
 
 /// Leaves out colour targets that nobody reads, then resources that no step touches; and keeps of each pass's outputs only
 /// what some pass, or the reader of the plan's `output`, may find there.
@@ -15,6 +15,9 @@ pub(crate) fn prune(
     let named = resources.iter().position(|resource| resource.name == output);
     let mut needed: BTreeSet<usize> = passes.iter().flat_map(|pass| pass.inputs.iter().copied()).collect();
     needed.extend(named);
+    // What is read a frame later is no input.
+    let histories = resources.iter().enumerate().filter(|(_, resource)| resource.life == Life::History);
+    needed.extend(histories.map(|(index, _)| index));
     for pass in &mut *passes {
         pass.outputs.retain(|index| needed.contains(index));
         for step in &mut pass.steps {

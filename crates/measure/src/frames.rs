@@ -26,17 +26,28 @@ impl Frames {
         self.wall.len()
     }
 
-    /// Each pass's time over all frames.
+    /// Names of the passes that each frame ran.
+    pub fn ran(&self) -> Vec<Vec<String>> {
+        let names = |frame: &Vec<PassTime>| frame.iter().map(|pass| pass.name.clone()).collect();
+        self.passes.iter().map(names).collect()
+    }
+
+    /// Each pass's time over the frames that ran it, in the order of execution.
     pub fn passes(&self) -> Vec<Pass> {
-        let first = self.passes.first().map(Vec::as_slice).unwrap_or_default();
-        let over_frames = |index: usize| -> Vec<f64> {
-            self.passes.iter().filter_map(|frame| Some(frame.get(index)?.milliseconds)).collect()
+        let mut all: Vec<&PassTime> = Vec::new();
+        for pass in self.passes.iter().flatten() {
+            if !all.iter().any(|known| known.name == pass.name) {
+                all.push(pass);
+            }
+        }
+        all.sort_by_key(|pass| pass.pass);
+        let over_frames = |name: &str| -> Vec<f64> {
+            let times = self.passes.iter().flatten().filter(|pass| pass.name == name);
+            times.map(|pass| pass.milliseconds).collect()
         };
-        first
-            .iter()
-            .enumerate()
-            .map(|(index, pass)| {
-                let (median_ms, spread_ms) = median_and_spread(&over_frames(index));
+        all.into_iter()
+            .map(|pass| {
+                let (median_ms, spread_ms) = median_and_spread(&over_frames(&pass.name));
                 let clock = match pass.clock {
                     Clock::Gpu => "gpu",
                     Clock::Wall => "wall",
@@ -63,17 +74,26 @@ impl Frames {
 mod tests {
     use super::*;
 
+    fn pass(index: usize, name: &str, milliseconds: f64) -> PassTime {
+        PassTime { pass: index, name: name.into(), milliseconds, clock: Clock::Gpu }
+    }
+
+    #[test]
+    fn a_pass_that_some_frames_ran() {
+        let mut frames = Frames::default();
+        frames.push(vec![pass(1, "b", 4.0)], 20.0);
+        frames.push(vec![], 20.0);
+        frames.push(vec![pass(0, "a", 3.0), pass(1, "b", 2.0)], 20.0);
+        let medians: Vec<_> = frames.passes().into_iter().map(|pass| (pass.name, pass.median_ms)).collect();
+        assert_eq!(medians, [("a".to_owned(), 3.0), ("b".to_owned(), 3.0)]);
+        assert_eq!(frames.ran(), [vec!["b"], vec![], vec!["a", "b"]]);
+    }
+
     #[test]
     fn the_total_is_of_frames_not_of_medians() {
         let mut frames = Frames::default();
         for (a, b) in [(1.0, 9.0), (2.0, 2.0), (9.0, 1.0)] {
-            let pass = |name: &str, milliseconds| PassTime {
-                pass: 0,
-                name: name.into(),
-                milliseconds,
-                clock: Clock::Gpu,
-            };
-            frames.push(vec![pass("a", a), pass("b", b)], 20.0);
+            frames.push(vec![pass(0, "a", a), pass(1, "b", b)], 20.0);
         }
         let medians: Vec<f64> = frames.passes().iter().map(|pass| pass.median_ms).collect();
         assert_eq!(medians, [2.0, 2.0]);

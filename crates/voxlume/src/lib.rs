@@ -18,6 +18,32 @@
 //! # }
 //! ```
 //!
+//! A [`Renderer`] submits its frames and waits for them. A program with a device and frames of its own keeps a [`Session`]
+//! instead, which records into the program's encoder what has changed since the frame before:
+//!
+//! ```no_run
+//! # use voxlume::{Frame, Gpu, Pipeline, Registry, Request, Scene, SceneFacts, Session, Value, plan, wgpu};
+//! # fn embedded(device: wgpu::Device, queue: wgpu::Queue) -> Result<(), Box<dyn std::error::Error>> {
+//! # let mut scene = Scene::load("scenes/cornell.ron".as_ref())?;
+//! # let pipeline = Pipeline::builtin("gi")?;
+//! # let plan = plan(&pipeline, &SceneFacts::of(&scene)?, &Registry::builtin(), &Request::image(512, 512))?;
+//! let gpu = Gpu::new(device.clone(), queue.clone());
+//! let mut session = Session::new(&gpu, plan, &scene)?;
+//!
+//! let mut encoder = device.create_command_encoder(&Default::default());
+//! session.encode(&mut encoder, &Frame::of(&scene.cameras[0]))?;
+//! let image = session.texture("final"); // to be sampled by what the program records next
+//! queue.submit([encoder.finish()]);
+//!
+//! // Between two frames:
+//! scene.cameras[0].eye.x += 0.1;
+//! session.update(&scene)?; // things that move, lights, sky
+//! session.set("diffuse", "step", &Value::Number(0.5))?;
+//! session.resize(1024, 768)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # Scenes
 //! | name | what it is |
 //! |---|---|
@@ -91,7 +117,10 @@
 //! | name | what it is |
 //! |---|---|
 //! | [`Gpu`] | An open device: one of its own, or another program's. |
-//! | [`Renderer`] | A plan carried out on a device for one scene. |
+//! | [`Session`] | A scene on a device, and a plan that is recorded into another program's frames. |
+//! | [`Frame`] | What a frame shows, and what it runs. |
+//! | [`Counters`] | What a session has had its device do: compilations, uploads, passes. |
+//! | [`Renderer`] | A session whose frames are submitted, timed and waited for. |
 //! | [`Passes`] | Which passes a frame runs. |
 //! | [`Picture`] | An image read back: linear values, row by row. |
 //! | [`Texels`] | A level of a volume read back. |

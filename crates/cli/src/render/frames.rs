@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use voxlume::{Fault, Gpu, Passes, Renderer};
+use voxlume::{Fault, Frame, Gpu, Passes, Renderer};
 use voxlume_measure::outfile::{self, OutFile};
 use voxlume_measure::picture::Kind;
 use voxlume_measure::{Frames, Progress as _, shows};
@@ -14,7 +14,7 @@ use crate::Registry;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
-use crate::timing::Numbers;
+use crate::timing::{Numbers, Ran};
 
 /// `A..B`: from A on, up to the one before B.
 pub fn numbers(text: &str) -> Result<Range<u32>, String> {
@@ -90,17 +90,12 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
     args.image.plan(registry, &pipeline, &scene, None)?;
     let gpu = Gpu::open(args.adapter.as_deref())?;
     let plan = args.image.plan(registry, &pipeline, &scene, Some(&gpu))?;
-    let once: Vec<&str> = plan
-        .passes
-        .iter()
-        .filter(|pass| pass.sources == Default::default())
-        .map(|pass| pass.name.as_str())
-        .collect();
-    let once = once.join(", ");
     progress.stage(format!("compiling {} passes", plan.passes.len()));
     let mut renderer = Renderer::new(&gpu, plan, &scene)?;
     progress.stage("rendering".into());
     renderer.render(&scene, scene.camera(Some(&name))?, Passes::All)?;
+    // The first frame does all that a first frame has to do.
+    renderer.session_mut().forget();
 
     let mut frames = Frames::default();
     for number in range.clone() {
@@ -113,7 +108,8 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
         scene.set_time(time(number));
         let start = Instant::now();
         renderer.update(&scene)?;
-        let times = renderer.render(&scene, scene.camera(Some(&name))?, Passes::Changed)?;
+        let camera = scene.camera(Some(&name))?;
+        let times = renderer.frame(&Frame { seconds: time(number) as f32, ..Frame::of(camera) })?;
         frames.push(times, start.elapsed().as_secs_f64() * 1e3);
 
         let image = &renderer.plan().resources[renderer.plan().output].name;
@@ -125,7 +121,9 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
         outfile::write(&patterns.iter().map(encode).collect::<Result<Vec<_>, Failure>>()?)?;
     }
 
-    let numbers = Numbers { first: range.start, end: range.end, fps };
+    let each = range.clone().zip(frames.ran()).map(|(frame, ran)| Ran { frame, ran }).collect();
+    let numbers = Numbers { first: range.start, end: range.end, fps, each };
+    let runs = numbers.runs();
     let clamped = renderer.out_of_range()?;
     let mut report = report(&gpu, &scene, &renderer, &frames, clamped);
     report.frames = Some(numbers);
@@ -133,8 +131,7 @@ pub fn run(args: &Args, registry: &Registry, range: &Range<u32>) -> Result<(), F
         outfile::write(&[(file, super::json(&report)?)])?;
     }
     drop(progress);
-    let once = if once.is_empty() { once } else { format!("\ndone once, before these frames: {once}\n") };
-    crate::print(&(report.tables(&frames) + &once))
+    crate::print(&(report.tables(&frames) + "\n" + &runs))
 }
 
 #[cfg(test)]

@@ -31,12 +31,24 @@ fn numbered_files_and_times() {
 
     let json: Value =
         serde_json::from_str(&std::fs::read_to_string(folder.path().join("t.json")).unwrap()).unwrap();
-    assert_eq!(json["frames"], serde_json::json!({ "first": 1, "end": 4, "fps": 4.0 }));
+    let each = [1, 2, 3].map(|frame| serde_json::json!({ "frame": frame, "ran": ["gbuffer", "tint"] }));
+    let frames = serde_json::json!({ "first": 1, "end": 4, "fps": 4.0, "each": each });
+    assert_eq!(json["frames"], frames);
     assert!(
         ran.stdout.contains("times of 3 frames (spread: interquartile range) after one of warm-up"),
         "{}",
         ran.stdout
     );
+}
+
+#[test]
+fn what_frames_ran() {
+    let folder = moving();
+    // From the second on the square is at rest.
+    let ran = folder.run("render box.ron --pipeline pipe.ron --size 8x8 --frames 3..7 --fps 4 -o {}.png");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let (_, runs) = ran.stdout.split_once("passes that ran\n").unwrap();
+    assert_eq!(runs, "frames 3 to 4: gbuffer, tint\nframes 5 to 6: none\n");
 }
 
 #[test]

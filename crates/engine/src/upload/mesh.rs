@@ -1,8 +1,8 @@
 //! Triangles, as `struct Vertex` in wgsl/common/mesh.wgsl.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3, Vec4};
-use voxlume_scene::Geometry;
+use glam::{DVec3, Vec2, Vec3, Vec4};
+use voxlume_scene::{Geometry, Scene};
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -14,7 +14,7 @@ pub(crate) struct Vertex {
     pub(super) uv: Vec2,
 }
 
-pub(crate) fn vertices(geometry: &Geometry) -> Vec<Vertex> {
+fn vertices(geometry: &Geometry) -> Vec<Vertex> {
     let count = geometry.positions.len();
     (0..count)
         .map(|i| Vertex {
@@ -25,6 +25,36 @@ pub(crate) fn vertices(geometry: &Geometry) -> Vec<Vertex> {
             uv: geometry.uvs[i],
         })
         .collect()
+}
+
+/// All vertices and triangles, and how many of each never move.
+pub(crate) fn whole(scene: &Scene, origin: DVec3) -> (Vec<Vertex>, Vec<[u32; 3]>, (usize, usize)) {
+    let (geometry, moving) = (Geometry::new(scene, origin), Geometry::moving(scene, origin));
+    let still = (
+        geometry.positions.len() - moving.positions.len(),
+        geometry.triangles.len() - moving.triangles.len(),
+    );
+    let mut triangles = geometry.triangles.clone();
+    let (never, may) = triangles.split_at_mut(still.1);
+    masked_last(scene, &geometry, never);
+    masked_last(scene, &geometry, may);
+    (vertices(&geometry), triangles, still)
+}
+
+/// Vertices and triangles of what moves, which follow `first_vertex` others.
+pub(crate) fn moving(scene: &Scene, origin: DVec3, first_vertex: usize) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+    let geometry = Geometry::moving(scene, origin);
+    let mut triangles = geometry.triangles.clone();
+    masked_last(scene, &geometry, &mut triangles);
+    triangles.iter_mut().flatten().for_each(|index| *index += first_vertex as u32);
+    (vertices(&geometry), triangles)
+}
+
+/// As the plan has them voxelized apart.
+fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
+    triangles.sort_by_key(|triangle| {
+        scene.materials[geometry.materials[triangle[0] as usize] as usize].is_masked()
+    });
 }
 
 /// Octahedral map: Cigolle et al., JCGT 3(2), 2014. The inverse of wgsl/common/octahedral.wgsl.
