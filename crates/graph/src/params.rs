@@ -147,7 +147,7 @@ impl<'a> Params<'a> {
         for param in &self.entry.params {
             let is_asked = self.asked.contains(&param.name);
             let mut traced = context.tracers.iter().flat_map(|tracer| context.trace_params(tracer));
-            if !is_asked && !(traces && traced.any(|name| name == param.name)) {
+            if !(is_asked || traces && traced.any(|name| name == param.name)) {
                 let message = format!("pass `{}` has no parameter `{}`", self.entry.name, param.name);
                 let label = suggest(&param.name, known.iter().copied());
                 context.faults.push(self.pipeline.fault(&param.name_span, message, label));

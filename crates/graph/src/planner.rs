@@ -117,7 +117,8 @@ pub fn plan(
     let storage = Storage::new(format, choices, encoding, request.filters_float32);
     let plan_format = storage.word();
     let mut context =
-        Context::new(pipeline, facts, storage, grid, request.screen, library, &registry.tracers, area_lights);
+        Context::new(pipeline, facts, storage, grid, request.screen, library, &registry.tracers);
+    context.area_lights = area_lights;
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();
     for index in ordered.into_iter().filter(|index| live.contains(index)) {

@@ -62,8 +62,7 @@ pub fn probe(
     let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
     let tracers = Tracers::builtin();
-    let mut context =
-        Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), &tracers, false);
+    let mut context = Context::new(&pipeline, &facts, storage, grid, [1, 1], library.clone(), &tracers);
     // Opacity as it comes.
     context.coverage = true;
     let stride = u64::from(context.attribute_stride());

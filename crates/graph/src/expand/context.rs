@@ -40,7 +40,8 @@ impl<'a> Storage<'a> {
     }
 
     fn mounts(&self) -> Vec<(&str, &str)> {
-        vec![("format", self.format.modules()), ("encoding", self.encoding.module(self.filters_float32))]
+        let filter = self.encoding.filter(self.filters_float32);
+        vec![("format", self.format.modules()), ("encoding", self.encoding.module()), ("filter", filter)]
     }
 
     /// The word chosen for the option whose `override` has this name.
@@ -88,7 +89,6 @@ impl<'a> Context<'a> {
         screen: [u32; 2],
         library: Library,
         tracers: &'a Tracers,
-        area_lights: bool,
     ) -> Context<'a> {
         Context {
             pipeline,
@@ -98,7 +98,7 @@ impl<'a> Context<'a> {
             screen,
             library,
             tracers,
-            area_lights,
+            area_lights: false,
             conflict: "sum",
             available: BTreeSet::new(),
             surface_images: BTreeSet::new(),

@@ -1,3 +1,0 @@
-// Linear in space and between levels, clamped at the borders.
-
-@group(2) @binding(0) var volume_sampler: sampler;
