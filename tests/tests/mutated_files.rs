@@ -95,7 +95,8 @@ fn pipelines() {
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 6] = [
+const ALTERNATIVES: [(&str, &[&str]); 7] = [
+    ("filter", &["filter/hardware", "filter/by_hand"]),
     ("tracer", &["tracer/cones"]),
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     ("effect", &["effect/diffuse", "effect/soft_shadow", "effect/ambient_occlusion", "effect/specular"]),

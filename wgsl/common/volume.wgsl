@@ -1,7 +1,8 @@
 // Volumes, whatever their encoding, as they are read; what writes one encodes the texel first. Positions are [0, 1]³, levels the texture's own.
 // A volume may hold several blocks, one above the other along z.
 
-import package::encoding::{decode_texel, filter_volume};
+import package::encoding::decode_texel;
+import package::filter::filter_volume;
 
 // A texel of the level that is bound.
 fn load_volume(volume: texture_3d<f32>, texel: vec3u) -> vec4f {

@@ -1,7 +1,6 @@
 // Four half floats a texel. What is larger than they hold becomes the largest, never infinity.
 
 import package::common::out_of_range::clamp_to_range;
-import package::common::volume_sampler::volume_sampler;
 
 alias VolumeTarget = texture_storage_3d<rgba16float, write>;
 alias SignedVolumeTarget = texture_storage_3d<rgba16float, write>;
@@ -20,8 +19,4 @@ fn encode_radiances(values: vec4f) -> vec4f {
 
 fn decode_radiances(texel: vec4f) -> vec4f {
     return texel;
-}
-
-fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
-    return textureSampleLevel(volume, volume_sampler, uvw, level);
 }

@@ -1,7 +1,6 @@
-// Four floats a texel, on devices that filter them.
+// Four floats a texel.
 
 import package::common::out_of_range::clamp_to_range;
-import package::common::volume_sampler::volume_sampler;
 
 alias VolumeTarget = texture_storage_3d<rgba32float, write>;
 alias SignedVolumeTarget = texture_storage_3d<rgba32float, write>;
@@ -21,8 +20,4 @@ fn encode_radiances(values: vec4f) -> vec4f {
 
 fn decode_radiances(texel: vec4f) -> vec4f {
     return texel;
-}
-
-fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
-    return textureSampleLevel(volume, volume_sampler, uvw, level);
 }

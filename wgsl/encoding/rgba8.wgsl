@@ -2,7 +2,6 @@
 // steps to either side, so that zero, which is what an untouched texel holds, is exact.
 
 import package::common::out_of_range::clamp_to_range;
-import package::common::volume_sampler::volume_sampler;
 
 alias VolumeTarget = texture_storage_3d<rgba8unorm, write>;
 alias SignedVolumeTarget = texture_storage_3d<rgba8snorm, write>;
@@ -24,8 +23,4 @@ fn encode_radiances(values: vec4f) -> vec4f {
 
 fn decode_radiances(texel: vec4f) -> vec4f {
     return texel * ENCODING_RANGE;
-}
-
-fn filter_volume(volume: texture_3d<f32>, uvw: vec3f, level: f32) -> vec4f {
-    return textureSampleLevel(volume, volume_sampler, uvw, level);
 }

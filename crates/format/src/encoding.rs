@@ -32,14 +32,20 @@ impl Encoding {
         }
     }
 
-    /// Path of its WGSL module in the shader library. Where the device can't filter 32-bit floats, they are
-    /// filtered by hand.
-    pub fn module(self, filters_float32: bool) -> &'static str {
+    /// Path of its WGSL module in the shader library.
+    pub fn module(self) -> &'static str {
         match self {
             Encoding::Rgba8 { .. } => "encoding/rgba8",
             Encoding::Rgba16Float => "encoding/rgba16float",
-            Encoding::Rgba32Float if filters_float32 => "encoding/rgba32float",
-            Encoding::Rgba32Float => "encoding/rgba32float_by_hand",
+            Encoding::Rgba32Float => "encoding/rgba32float",
+        }
+    }
+
+    /// Path of the WGSL module that filters it. Where the device can't filter 32-bit floats, they are filtered by hand.
+    pub fn filter(self, filters_float32: bool) -> &'static str {
+        match self {
+            Encoding::Rgba32Float if !filters_float32 => "filter/by_hand",
+            _ => "filter/hardware",
         }
     }
 

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use crate::twin::{Twin, Volumes, children, composite_coverage};
+use crate::twin::{Twin, Volumes, children, composite_columns};
 use crate::{Choices, Levels, Miss, Numbers, Property, StorageFormat, Volume};
 
 /// See the module.
@@ -54,7 +54,7 @@ impl Twin for Isotropic {
     fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
         let child = children(cell).map(|child| volumes.level(BASE_VOLUME, level - 1).load(child));
         let sum: DVec4 = child.iter().sum();
-        let most = composite_coverage(&child.map(|child| DVec3::splat(child.w))).max_element();
+        let most = (0..3).map(|axis| composite_columns(&child, axis, 0).w).fold(0.0, f64::max);
         let radiance = sum.truncate() * (most / sum.w.max(1e-6));
         volumes.level_mut(BASE_VOLUME, level).store(cell, radiance.extend(most));
     }

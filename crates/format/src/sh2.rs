@@ -1,13 +1,13 @@
 //! `sh2`: two bands of spherical harmonics (RAU §5.1.3).
 //!
-//! Level 0 is isotropic; from level 1 up a cell's surfaces stand as facets that look along the axes, each with the
-//! coefficients of a one-sided Lambertian emitter. Opacity is kept for each of six sides, in bytes.
+//! Level 0 is isotropic; level 1 turns each voxel into the lobe of a Lambertian emitter about its normal, and coarser levels
+//! average the coefficients, which is exact. Opacity is kept for each of six sides, in bytes.
 //! Per voxel of the grid at `rgba16float`: 8 bytes and 4/7 of 8 more. With `base=lobe` the coefficients begin at
 //! level 0: 32 bytes and 1/7 of 32 more.
 
 mod twin;
 
-use self::twin::{Mip, Negatives, Sh2Twin};
+use self::twin::Sh2Twin;
 use crate::twin::Twin;
 use crate::{Choices, FormatOption, Miss, Numbers, Property, StorageFormat, Volume};
 
@@ -23,17 +23,15 @@ const BASE: FormatOption = FormatOption {
 
 const MIP: FormatOption = FormatOption {
     name: "mip",
-    summary: "a parent: what its sides show, nearer children over farther (composited), its children's mean \
-              (linear), or what they send through its six faces (projected, RAU eq. 5.9 over π, which shrinks band 1 \
-              to 2/3 at each level)",
-    words: &["composited", "linear", "projected"],
+    summary: "a parent: its children's mean (linear), or what they send through its six faces (projected, RAU eq. \
+              5.9 over π, which shrinks band 1 to 2/3 at each level)",
+    words: &["linear", "projected"],
 };
 
 const NEGATIVES: FormatOption = FormatOption {
     name: "negatives",
-    summary: "radiance from a direction: what the sides towards it show (sides), or the sum of the bands, which may \
-              be below zero: cut off (clamp), or avoided by less of band 1 (window)",
-    words: &["sides", "clamp", "window"],
+    summary: "radiance below zero: cut off (clamp), or avoided by less of band 1 (window)",
+    words: &["clamp", "window"],
 };
 
 impl StorageFormat for Sh2 {
@@ -77,10 +75,16 @@ impl StorageFormat for Sh2 {
                 why: "level 0 is seen only as far as level 1 covers a quarter",
             },
             Miss {
+                property: Property::Sides,
+                at: "",
+                size: 0.25,
+                why: "two bands of two opposite lobes overshoot to 1.25 ahead and −0.25 behind",
+            },
+            Miss {
                 property: Property::Linear,
                 at: "",
                 size: 0.021,
-                why: "what both sides of three axes show is shared out by their opacity",
+                why: "what is below zero behind a lobe is cut off, colour by colour",
             },
             Miss {
                 property: Property::Symmetric,
@@ -92,18 +96,11 @@ impl StorageFormat for Sh2 {
     }
 
     fn twin(&self, choices: &Choices) -> Option<Box<dyn Twin>> {
+        let [base, mip, negatives] = [&BASE, &MIP, &NEGATIVES].map(|option| choices.word(option));
         Some(Box::new(Sh2Twin {
-            isotropic_base: choices.word(&BASE) == "isotropic",
-            mip: match choices.word(&MIP) {
-                "linear" => Mip::Linear,
-                "projected" => Mip::Projected,
-                _ => Mip::Composited,
-            },
-            negatives: match choices.word(&NEGATIVES) {
-                "clamp" => Negatives::Clamp,
-                "window" => Negatives::Window,
-                _ => Negatives::Sides,
-            },
+            isotropic_base: base == "isotropic",
+            projected: mip == "projected",
+            windowed: negatives == "window",
         }))
     }
 }

@@ -6,7 +6,7 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use crate::twin::{Twin, Volumes};
+use crate::twin::{Twin, Volumes, children, composite_columns};
 use crate::{Choices, FormatOption, Miss, Numbers, Property, StorageFormat, Volume};
 
 /// See the module.
@@ -146,17 +146,10 @@ impl Twin for SixFaceTwin {
 
     fn voxel_mipmap(&self, volumes: &mut Volumes, cell: UVec3, level: u32) {
         for axis in 0..3 {
-            let along = UVec3::AXES[axis];
-            let (u, v) = (UVec3::AXES[(axis + 1) % 3], UVec3::AXES[(axis + 2) % 3]);
             for side in 0..2 {
-                let column = |column: u32| {
-                    let low = cell * 2 + u * (column & 1) + v * (column >> 1);
-                    let near = self.child(volumes, low + along * (1 - side), level, axis, side);
-                    let far = self.child(volumes, low + along * side, level, axis, side);
-                    near + (1.0 - near.w) * far
-                };
-                let sum: DVec4 = (0..4).map(column).sum();
-                volumes.store_block(self.faces(), level, cell, face_of(axis, side == 1), sum / 4.0);
+                let seen = children(cell).map(|child| self.child(volumes, child, level, axis, side));
+                let seen = composite_columns(&seen, axis, 1 - side as usize);
+                volumes.store_block(self.faces(), level, cell, face_of(axis, side == 1), seen);
             }
         }
     }

@@ -4,7 +4,7 @@ mod coverage;
 mod surface;
 mod volumes;
 
-pub use coverage::composite_coverage;
+pub use coverage::{composite_columns, composite_coverage};
 pub use surface::{ATTRIBUTE_WORDS, VoxelSurface};
 pub use volumes::{Texels, Volumes};
 

@@ -35,8 +35,13 @@ impl<'a> Storage<'a> {
         self.format.modules()
     }
 
-    pub fn encoding_module(&self) -> &'static str {
-        self.encoding.module(self.filters_float32)
+    /// What its modules are mounted as: those of the format, of the encoding, and of how textures are filtered.
+    pub fn mounts(&self) -> [(&'static str, String); 3] {
+        [
+            ("format", self.format.modules().to_owned()),
+            ("encoding", self.encoding.module().to_owned()),
+            ("filter", self.encoding.filter(self.filters_float32).to_owned()),
+        ]
     }
 
     /// The `override` of each option of the format, and the word chosen for it.

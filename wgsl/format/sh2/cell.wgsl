@@ -1,9 +1,7 @@
-// A cell as two bands of spherical harmonics. Its surfaces stand as facets that look along the axes, each a one-sided
-// Lambertian emitter as bright as what an observer on that side sees. A facet of premultiplied radiance R and normal n has the
-// coefficients √π·R and √(3π)/2·R·n (RAU eq. 5.1 with the constant of its figure B.3). Kept are those of all six over 2√π and
-// √(3π)/2: half the sum of what the sides show, and along each axis by how much the positive side shows more.
+// A cell as two bands of spherical harmonics. A one-sided Lambertian emitter of premultiplied radiance R and normal n has the
+// coefficients √π·R and √(3π)/2·R·n (RAU eq. 5.1 with the constant of its figure B.3). Kept are those over 2√π and √(3π)/2.
 //
-// Three texels hold what the sides show more along x, y and z, their alphas the half sum. Two more, of bytes, hold
+// Three texels hold band 1 along x, y and z, their alphas the three colours of band 0. Two more, of bytes, hold
 // the opacities seen from +x, +y, +z and from −x, −y, −z.
 
 import package::common::volume::block_texel;
@@ -23,45 +21,17 @@ struct Cell {
     negative: vec3f,
 }
 
-// Of what is seen from +x, +y, +z and from −x, −y, −z: premultiplied radiance and opacity.
-fn encode_cell(positive: mat3x4f, negative: mat3x4f) -> Cell {
-    let sum = positive + negative;
+// Surfaces of one radiance, as opaque as this from the two sides of each axis. They emit along the normal that this tells; what is
+// as opaque from behind as from ahead sends as much to either side.
+fn emitter(radiance: vec3f, positive: vec3f, negative: vec3f) -> Cell {
+    let sum = dot(positive + negative, vec3f(1.0));
     let more = positive - negative;
-    return Cell(
-        0.5 * (sum[0].rgb + sum[1].rgb + sum[2].rgb),
-        mat3x3f(more[0].rgb, more[1].rgb, more[2].rgb),
-        vec3f(positive[0].a, positive[1].a, positive[2].a),
-        vec3f(negative[0].a, negative[1].a, negative[2].a),
-    );
+    let facing = more * (dot(abs(more), vec3f(1.0)) / max(length(more), 1e-6));
+    return Cell(radiance * (0.5 * sum), mat3x3f(radiance * facing.x, radiance * facing.y, radiance * facing.z), positive, negative);
 }
 
-// What both sides of the axes show in all, which two bands don't tell apart.
-fn shared_in_all(cell: Cell) -> vec3f {
-    let more = abs(cell.band1[0]) + abs(cell.band1[1]) + abs(cell.band1[2]);
-    return max(cell.band0 - 0.5 * more, vec3f(0.0));
-}
-
-// The share of it that each axis is taken to have: that which it has of what is opaque from both sides.
-fn share_of_axes(cell: Cell) -> vec3f {
-    let both = min(cell.positive, cell.negative);
-    return both / max(both.x + both.y + both.z, 1e-6);
-}
-
-// What an observer sees along one axis who looks along the axes in these directions, 1 or −1: what both sides show, and what this one has more.
-fn seen_along(cell: Cell, axis: u32, ahead: vec3f, of_both: vec3f) -> vec4f {
-    let opacity = select(cell.positive, cell.negative, ahead > vec3f(0.0))[axis];
-    return vec4f(of_both + max(-ahead[axis] * cell.band1[axis], vec3f(0.0)), opacity);
-}
-
-// Along all of them.
-fn seen_from(cell: Cell, ahead: vec3f) -> mat3x4f {
-    let all = shared_in_all(cell);
-    let share = share_of_axes(cell);
-    return mat3x4f(
-        seen_along(cell, 0, ahead, all * share.x),
-        seen_along(cell, 1, ahead, all * share.y),
-        seen_along(cell, 2, ahead, all * share.z),
-    );
+fn sides_opacity(c: Cell) -> f32 {
+    return dot(c.positive + c.negative, vec3f(1.0));
 }
 
 // Opacities as bytes. What is there at all keeps the least, since light is seen by its opacity.

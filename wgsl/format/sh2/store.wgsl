@@ -1,4 +1,4 @@
-// 2-band spherical harmonics: level 0 is isotropic and coefficients begin at level 1, or at level 0.
+// Two bands of spherical harmonics: level 0 is isotropic and coefficients begin at level 1, or at level 0.
 
 import package::common::volume::block_texel;
 import package::encoding::{SignedVolumeTarget, VolumeTarget, encode_radiances, encode_texel};

@@ -2,7 +2,7 @@
 
 import package::common::attributes::voxel_surface;
 import package::common::voxels::{is_occupied, voxel_slot};
-import package::format::cell::{Cell, encode_cell};
+import package::format::cell::{Cell, emitter};
 
 // With this premultiplied radiance and opacity.
 fn voxel_cell(cell: vec3u, value: vec4f) -> Cell {
@@ -10,10 +10,5 @@ fn voxel_cell(cell: vec3u, value: vec4f) -> Cell {
         return Cell();
     }
     let surface = voxel_surface(voxel_slot(cell));
-    let front = surface.front;
-    let back = surface.back;
-    return encode_cell(
-        mat3x4f(value * front.x, value * front.y, value * front.z),
-        mat3x4f(value * back.x, value * back.y, value * back.z),
-    );
+    return emitter(value.rgb / value.a, value.a * surface.front, value.a * surface.back);
 }

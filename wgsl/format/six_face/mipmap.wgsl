@@ -3,6 +3,7 @@
 // and shows its light, at its front.
 
 import package::common::attributes::voxel_surface;
+import package::common::coverage::composite_columns;
 import package::common::volume::{block_texel, load_volume};
 import package::common::voxels::{is_occupied, voxel_slot};
 import package::encoding::{VolumeTarget, encode_texel};
@@ -30,19 +31,13 @@ fn child(cell: vec3u, level: u32, axis: u32, side: u32) -> vec4f {
 fn voxel_mipmap(cell: vec3u, level: u32) {
     let depth = textureDimensions(faces_target).z;
     for (var axis = 0u; axis < 3; axis++) {
-        // The children by their place along the axis; the other two coordinates give four columns.
-        let along = vec3u(select(0u, 1u, axis == 0), select(0u, 1u, axis == 1), select(0u, 1u, axis == 2));
-        let u = vec3u(along.z, along.x, along.y);
-        let v = vec3u(along.y, along.z, along.x);
         for (var side = 0u; side < 2; side++) {
-            var sum = vec4f(0.0);
-            for (var column = 0u; column < 4; column++) {
-                let low = cell * 2 + u * (column & 1) + v * (column >> 1);
-                let near = child(low + along * (1 - side), level, axis, side);
-                let far = child(low + along * side, level, axis, side);
-                sum += near + (1.0 - near.a) * far;
+            var children: array<vec4f, 8>;
+            for (var i = 0u; i < 8; i++) {
+                children[i] = child(cell * 2 + vec3u(i & 1, (i >> 1) & 1, i >> 2), level, axis, side);
             }
-            textureStore(faces_target, block_texel(cell, face_of(axis, side == 1), FACES, depth), encode_texel(sum / 4.0));
+            let seen = composite_columns(children, axis, 1 - side);
+            textureStore(faces_target, block_texel(cell, face_of(axis, side == 1), FACES, depth), encode_texel(seen));
         }
     }
 }

@@ -22,16 +22,14 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     }
     let formats: Vec<&str> = registry.formats.iter().map(|format| format.modules()).collect();
     let tracers: Vec<&str> = registry.tracers.iter().map(|tracer| tracer.modules).collect();
-    let encodings: Vec<&str> = [true, false]
-        .into_iter()
-        .flat_map(|filters| Encoding::ALL.map(|encoding| encoding.module(filters)))
-        .collect();
+    let encodings = Encoding::ALL.map(Encoding::module);
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
-        let (effects, visitors) = (folder("effect/"), folder("visitor/"));
+        let [effects, visitors, filters] = ["effect/", "visitor/", "filter/"].map(folder);
         let alternatives = [
             ("format", &formats[..]),
             ("encoding", &encodings),
+            ("filter", &filters),
             ("tracer", &tracers),
             ("effect", &effects),
             ("visitor", &visitors),

@@ -145,11 +145,8 @@ impl<'a> Context<'a> {
 
     /// Modules that imports mean unless a pass says otherwise.
     pub fn default_mounts(&self) -> Vec<(&'static str, String)> {
-        vec![
-            ("format", self.default_storage.modules().to_owned()),
-            ("encoding", self.default_storage.encoding_module().to_owned()),
-            ("texel", "texel/rgba16float".to_owned()),
-        ]
+        let texel = ("texel", "texel/rgba16float".to_owned());
+        self.default_storage.mounts().into_iter().chain([texel]).collect()
     }
 
     /// Whether a variable belongs to a storage format's module and, with the options chosen, to none of its volumes.

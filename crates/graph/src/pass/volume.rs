@@ -22,8 +22,7 @@ impl Expansion<'_, '_> {
         let storage = self.storage_of(name)?;
         let (grid, grid_bundle) = (self.grid().size, self.grid_bundle());
         let mut bundle = Bundle::default();
-        bundle.mount("format", storage.modules());
-        bundle.mount("encoding", storage.encoding_module());
+        storage.mounts().iter().for_each(|(name, folder)| bundle.mount(name, folder));
         bundle.with("ENCODING_RANGE", f64::from(storage.encoding.range()));
         storage.words().for_each(|(option, word)| bundle.with_word(&option, word));
         bundle.join(&grid_bundle);

@@ -1,3 +1,0 @@
-// Linear in space and between levels, clamped at the borders.
-
-var volume_sampler: sampler;
