@@ -37,10 +37,7 @@ struct Copies {
 
 impl Counts {
     pub fn new(plan: &Plan) -> Counts {
-        // Each grid has one, which is called by the name of its voxels where there are several.
-        let is_levels = |name: &str| name == "levels" || name.ends_with(".levels");
-        let all = plan.resources.iter().enumerate();
-        let levels = all.filter(|(_, resource)| is_levels(&resource.name)).map(|(index, _)| index).collect();
+        let levels = plan.levels.clone();
         let passes = plan.passes.iter().enumerate();
         let counting = passes.filter(|(_, pass)| pass.sources.geometry && counted(pass).is_some());
         let counting = counting.map(|(index, _)| index).collect();

@@ -161,7 +161,7 @@ impl<'a> Params<'a> {
         for param in &self.entry.params {
             let is_asked = self.asked.contains(&param.name);
             let is_traced = || context.trace_params().contains(&param.name);
-            if !is_asked && !(traces && is_traced()) {
+            if !(is_asked || traces && is_traced()) {
                 let message = format!("pass `{}` has no parameter `{}`", self.entry.name, param.name);
                 let label = suggest(&param.name, known.iter().copied());
                 context.faults.push(self.pipeline.fault(&param.name_span, message, label));

@@ -35,6 +35,9 @@ pub struct Plan {
     pub left_out: Vec<LeftOut>,
     /// The image that is the result, in `resources`.
     pub output: usize,
+    /// Buffers with the runs of each grid's levels, in `resources`: eight words a level, the fifth of which is its number of
+    /// occupied cells once a step [`Step::Counted`] is reached.
+    pub levels: Vec<usize>,
     /// Buffers of two words each, in `resources`: how many values an encoding could not hold in a pass, and the largest as
     /// a float's bits.
     pub out_of_range: Vec<usize>,

@@ -123,7 +123,8 @@ pub fn plan(
         passes.extend(finished(entry, expansion.finish(), &context));
     }
     explain_branches(&mut context);
-    prune(&mut passes, &mut context.resources, &mut context.out_of_range, &pipeline.output.value);
+    let kept = [context.levels.as_mut_slice(), context.out_of_range.as_mut_slice()];
+    prune(&mut passes, &mut context.resources, kept, &pipeline.output.value);
     limits::check_resources(pipeline, &mut context);
     let output = context.resources.iter().position(|resource| resource.name == pipeline.output.value);
     if output.is_none() && context.faults.is_empty() {
@@ -135,7 +136,7 @@ pub fn plan(
         let message = format!("this scene has no `{name}`");
         context.faults.push(pipeline.fault(&pipeline.output.span, message, why));
     }
-    let Context { shaders, resources, left_out, faults, mut grids, out_of_range, .. } = context;
+    let Context { shaders, resources, left_out, faults, mut grids, levels, out_of_range, .. } = context;
     let Some(output) = output.filter(|_| faults.is_empty()) else { return Err(faults) };
     let plan = Plan {
         format: plan_format,
@@ -150,6 +151,7 @@ pub fn plan(
         passes,
         left_out,
         output,
+        levels,
         out_of_range,
         memory_budget: request.memory_budget,
     };

@@ -165,6 +165,7 @@ pub fn probe(
         passes,
         left_out: Vec::new(),
         output,
+        levels: Vec::new(),
         out_of_range,
         memory_budget: None,
     })

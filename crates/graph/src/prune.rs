@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use crate::plan::{Groups, Life, Pass, Program, Resource, Step, Target, Vertices};
 
 /// Leaves out colour targets that nobody reads, then resources that no step touches; and keeps of each pass's outputs only
-/// what some pass, or the reader of the plan's `output`, may find there.
+/// what some pass, or the reader of the plan's `output`, may find there. The indices in `kept` follow.
 pub(crate) fn prune(
     passes: &mut [Pass],
     resources: &mut Vec<Resource>,
-    out_of_range: &mut [usize],
+    kept: [&mut [usize]; 2],
     output: &str,
 ) {
     let named = resources.iter().position(|resource| resource.name == output);
@@ -47,7 +47,7 @@ pub(crate) fn prune(
         pass.inputs.iter_mut().chain(&mut pass.outputs).for_each(moved);
         pass.params.iter_mut().for_each(|slot| moved(&mut slot.resource));
     }
-    out_of_range.iter_mut().for_each(moved);
+    kept.into_iter().flatten().for_each(moved);
 }
 
 /// Every resource that a step names.

@@ -77,12 +77,6 @@ impl<'p> Effect<'p> {
     }
 }
 
-/// Bounces of indirect light that a pipeline shows: one by gathering, and those of its `bounce` passes.
-pub(crate) fn bounces(pipeline: &Pipeline) -> u32 {
-    let pass = pipeline.passes.iter().find(|pass| pass.run.value == "bounce");
-    1 + pass.and_then(|pass| number(pass, "bounces")).unwrap_or(0.0) as u32
-}
-
 fn number(entry: &PassEntry, param: &str) -> Option<f64> {
     match entry.params.iter().find(|given| given.name == param)?.value {
         Value::Number(number) => Some(number),

@@ -32,6 +32,9 @@ pub(crate) struct Given<'a> {
     pub filters_float32: bool,
 }
 
+/// Names that imports begin with, and the modules or folders that they mean.
+pub(crate) type Mounts = Vec<(&'static str, String)>;
+
 /// What planning builds up.
 #[derive(Debug)]
 pub(crate) struct Context<'a> {
@@ -55,8 +58,9 @@ pub(crate) struct Context<'a> {
     /// What each name made so far stands for.
     pub bundles: BTreeMap<String, Bundle>,
     pub shaders: Vec<Shader>,
-    linked: BTreeMap<(String, Vec<(&'static str, String)>), usize>,
+    linked: BTreeMap<(String, Mounts), usize>,
     pub resources: Vec<Resource>,
+    pub levels: Vec<usize>,
     pub out_of_range: Vec<usize>,
     pub left_out: Vec<LeftOut>,
     pub faults: Faults,
@@ -83,6 +87,7 @@ impl<'a> Context<'a> {
             shaders: Vec::new(),
             linked: BTreeMap::new(),
             resources: Vec::new(),
+            levels: Vec::new(),
             out_of_range: Vec::new(),
             left_out: Vec::new(),
             faults: Faults::default(),
@@ -144,7 +149,7 @@ impl<'a> Context<'a> {
     }
 
     /// Modules that imports mean unless a pass says otherwise.
-    pub fn default_mounts(&self) -> Vec<(&'static str, String)> {
+    pub fn default_mounts(&self) -> Mounts {
         let texel = ("texel", "texel/rgba16float".to_owned());
         self.default_storage.mounts().into_iter().chain([texel]).collect()
     }

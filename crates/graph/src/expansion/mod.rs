@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use voxlume_shader::{Binding, Shader};
 
-pub(crate) use context::Context;
+pub(crate) use context::{Context, Mounts};
 pub use run::{Over, Run};
 
 use crate::bundle::Bundle;
@@ -16,7 +16,7 @@ use crate::flow::is_scene;
 use crate::grid::Grid;
 use crate::params::{Params, words};
 use crate::pass::{PassKind, Sort};
-use crate::pipeline::PassEntry;
+use crate::pipeline::{Located, PassEntry};
 use crate::plan::{
     Bind, ImageExtent, ImageTexel, LeftOut, Life, ParamSlot, Program, ResourceKind, Step, Target,
 };
@@ -203,12 +203,16 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// A name in the graph whose resources this pass may use before the pass that fills them: that of the first of this
     /// sort which is made from the same voxels, or one of its own.
     pub fn borrowed(&self, sort: Sort) -> String {
-        let voxels = self.context.read_of(self.entry, self.kind, "voxels");
+        let voxels = |entry: &'a PassEntry| {
+            let of_sort =
+                |name: &&Located<String>| self.context.sorts.get(&name.value) == Some(&Sort::VOXELS);
+            entry.reads.iter().find(of_sort).map(|name| name.value.as_str())
+        };
         let made = self.context.pipeline.passes.iter().find(|other| {
             other.name != self.entry.name
                 && self.context.kinds.of(other).writes().iter().any(|port| port.sort == sort)
                 && self.context.is_live(other)
-                && self.context.read_of(other, self.context.kinds.of(other), "voxels") == voxels
+                && voxels(other) == voxels(self.entry)
         });
         let made = made.and_then(|other| other.writes.first()).map(|name| name.value.clone());
         made.unwrap_or_else(|| format!("{}.{}", self.entry.name, sort.name))
@@ -258,6 +262,11 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// Notes something that is left out for this scene.
     pub fn leaves_out(&mut self, what: &str, why: &str, bytes: u64) {
         self.context.left_out.push(LeftOut { what: what.to_owned(), why: why.to_owned(), bytes });
+    }
+
+    /// Notes a buffer with the runs of a grid's levels.
+    pub(crate) fn counts_cells(&mut self, levels: usize) {
+        self.context.levels.push(levels);
     }
 
     /// Notes a buffer that counts values which an encoding can't hold.
@@ -333,8 +342,8 @@ impl<'c, 'a> Expansion<'c, 'a> {
 impl Expansion<'_, '_> {
     /// The modules that imports below `package::<name>` mean: what a step says, then what the entry's bundles say, then the
     /// pipeline's.
-    fn mounts(&self, own: &[(&'static str, String)], with: Option<&Bundle>) -> Vec<(&'static str, String)> {
-        let mut mounts: Vec<(&'static str, String)> = own.to_vec();
+    fn mounts(&self, own: &[(&'static str, String)], with: Option<&Bundle>) -> Mounts {
+        let mut mounts: Mounts = own.to_vec();
         let bundles = with.into_iter().chain(self.bundles());
         let theirs = bundles.flat_map(|bundle| bundle.mounts().iter().cloned());
         let theirs = theirs.chain([("tracer", self.tracer.modules.to_owned())]);

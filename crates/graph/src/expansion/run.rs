@@ -1,7 +1,7 @@
 //! A step as a sentence: what it runs, reads and writes, and over what.
 
 use crate::bundle::Bundle;
-use crate::expansion::{Expansion, LEVEL_RUN_BYTES};
+use crate::expansion::{Expansion, LEVEL_RUN_BYTES, Mounts};
 use crate::plan::{Groups, Step, Target, Vertices};
 
 /// What a compute step runs over.
@@ -51,7 +51,7 @@ impl Constant for f64 {
 pub(crate) struct Given {
     pub targets: Vec<(String, Target)>,
     pub constants: Vec<(String, f64)>,
-    pub mounts: Vec<(&'static str, String)>,
+    pub mounts: Mounts,
     pub bundle: Option<Bundle>,
 }
 

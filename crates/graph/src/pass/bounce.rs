@@ -45,6 +45,13 @@ impl PassKind for Bounce {
         none.then_some(Idle { why: "`bounces` is 0", unless: ("bounces", 1.0) })
     }
 
+    fn bounces(&self, entry: &PassEntry) -> u32 {
+        match entry.param("bounces") {
+            Some(Value::Number(bounces)) => *bounces as u32,
+            _ => 0,
+        }
+    }
+
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let bounces = pass.whole("bounces");
         let radiance = pass.input("radiance");

@@ -65,6 +65,11 @@ pub trait PassKind: Debug + Send + Sync {
         false
     }
 
+    /// How many bounces of indirect light an entry adds to what voxels show.
+    fn bounces(&self, _entry: &PassEntry) -> u32 {
+        0
+    }
+
     /// Adds an entry's steps, and says what its written names stand for.
     fn expand(&self, pass: &mut Expansion<'_, '_>);
 }
@@ -209,6 +214,11 @@ impl Kinds {
     /// Every image of a pipeline that can be its output: first those that have a name of their own.
     pub fn images<'p>(&'p self, pipeline: &'p Pipeline) -> Vec<&'p str> {
         images(pipeline, self)
+    }
+
+    /// How many bounces of indirect light a pipeline shows: one by gathering, and those that its passes add.
+    pub fn bounces(&self, pipeline: &Pipeline) -> u32 {
+        1 + pipeline.passes.iter().map(|entry| self.of(entry).bounces(entry)).sum::<u32>()
     }
 
     /// Why an entry has nothing to do, whatever the scene.

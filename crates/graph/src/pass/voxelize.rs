@@ -180,7 +180,7 @@ impl Voxels {
         };
         let occupancy = part("occupancy", words(all));
         let ranks = part("ranks", words(all + 1));
-        part("levels", ResourceKind::Buffer(level_bytes));
+        let levels = part("levels", ResourceKind::Buffer(level_bytes));
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
         part("cells", ResourceKind::PerCell(4));
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
@@ -188,6 +188,7 @@ impl Voxels {
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
+        pass.counts_cells(levels);
         Voxels { occupancy, ranks, attributes, stride, all }
     }
 

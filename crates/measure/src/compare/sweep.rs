@@ -13,7 +13,6 @@ use super::folder::{Finished, Folder, Pictures};
 use super::measure::{image_size, measure};
 use super::report::judge;
 use super::truth::{Last, References, Truth};
-use crate::effect::bounces;
 use crate::settings::{Setting, Settings};
 use crate::{Error, Progress, describe};
 
@@ -147,7 +146,12 @@ impl Run<'_> {
     fn against(&self, cell: &Cell<'_>, plan: &Plan) -> Result<Against, Error> {
         let Settings { pipeline, size: [width, height], .. } = self.sweep.settings;
         let subject = &self.subjects[cell.subject];
-        let quantity = cell.effect.quantity(pipeline, plan, &subject.scene, bounces(pipeline))?;
+        let quantity = cell.effect.quantity(
+            pipeline,
+            plan,
+            &subject.scene,
+            self.sweep.settings.registry.kinds.bounces(pipeline),
+        )?;
         let Some(quantity) = quantity else {
             return Ok(Against::Rendered(Box::new(self.plan(cell, &self.finest)?)));
         };
