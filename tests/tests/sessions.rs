@@ -190,6 +190,17 @@ fn what_cannot_be_is_refused_and_nothing_is_half_done() {
         let message = format!("an image of {width} × {height} pixels: each side must be from 1 to {limit}");
         refuses(&mut renderer, |r| r.session_mut().resize(width, height).unwrap_err(), &message);
     }
+    let (voxels, cells) = renderer.counts();
+    let mut plan = renderer.plan().clone();
+    let room = plan.total_bytes(voxels + voxels / 4 + 256, cells + cells / 4 + 256);
+    plan.memory_budget = Some(room);
+    renderer.session_mut().replan(plan, &scene).unwrap();
+    renderer.render(&scene, &scene.cameras[0], Passes::Changed).unwrap();
+    let before = picture(&renderer, "final");
+    let error = renderer.session_mut().resize(100, 100).unwrap_err();
+    assert!(matches!(error, Error::OverBudget { budget, .. } if budget == room), "{error}");
+    renderer.render(&scene, &scene.cameras[0], Passes::All).unwrap();
+    assert!(picture(&renderer, "final") == before);
     let set = |pass: &'static str, name: &'static str, value: Value| {
         move |r: &mut Renderer<'_>| r.session_mut().set(pass, name, &value).unwrap_err()
     };

@@ -102,6 +102,23 @@ fn what_was_written_over_is_made_again_for_who_reads_it() {
 }
 
 #[test]
+fn what_an_earlier_pass_writes_over_is_made_again() {
+    let [shared, own, image, result] = [0, 1, 2, 3];
+    for update in [Update::Changed, Update::Every(100), Update::OnDemand] {
+        let mut passes = [
+            pass(Sources { geometry: true, ..NOTHING }, &[], &[shared, own]),
+            pass(Sources { lights: true, ..NOTHING }, &[], &[shared]),
+            pass(NOTHING, &[shared], &[image]),
+            pass(NOTHING, &[own], &[result]),
+        ];
+        passes[1].update = update;
+        let mut schedule = schedule(&passes, 4);
+        schedule.versions.geometry += 1;
+        assert_eq!(frame(&mut schedule), [0, 1, 2, 3], "{update:?}");
+    }
+}
+
+#[test]
 fn a_chain_needs_its_maker_however_seldom_it_is_updated() {
     for update in [Update::Every(100), Update::OnDemand] {
         let mut schedule = updating(update);
