@@ -13,10 +13,10 @@ use voxlume_tests::{built_in, gi, gpu, picture, plan_for};
 const ALBEDO: f64 = 0.96 * 0.5 + 0.04;
 
 /// What each format misses of the closed form at 64³, as a share of it, without and with a bounce. A cone loses what
-/// falls between samples of different levels, as coarser cells shift a wall by up to half of one; a bounce loses it
-/// twice. The goal is 0; the figures are here so that a change for better or worse is seen.
+/// falls between samples of different levels, as coarser cells shift a wall by up to half of one; where a side seen at a
+/// slant is as opaque as its cosine, also what its narrow cells let through. A bounce loses it twice. The goal is 0; the figures are here so that a change for better or worse is seen.
 const MISSES: [(&str, [f64; 2]); 3] =
-    [("isotropic", [-0.041, -0.050]), ("six_face", [-0.036, -0.045]), ("sh2", [-0.045, -0.055])];
+    [("isotropic", [-0.041, -0.050]), ("six_face", [-0.158, -0.183]), ("sh2", [-0.203, -0.233])];
 
 /// The two cameras differ by less than this from the figures above.
 const TOLERANCE: f64 = 0.02;
