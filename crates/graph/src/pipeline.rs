@@ -13,7 +13,7 @@ use crate::expansion::LAST;
 use crate::grid::Extent;
 use crate::limits::TEXTURE_2D;
 use crate::plan::{ImageExtent, ImageTexel, Update};
-use crate::shown::{Reference, Shows, choice};
+use crate::shown::{Reference, Shows, choice, described};
 use crate::tracer::CONES;
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
@@ -341,6 +341,7 @@ fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntry> {
     }
     fields.finish(faults);
     let run = run?;
+    let (shows, reference) = described(&run.value, shows, reference);
     let span = run.span.clone().unwrap_or(node.head());
     let stem = run.value.rsplit('/').next().unwrap_or_default().trim_end_matches(".wgsl").to_owned();
     let name = name.unwrap_or(stem);

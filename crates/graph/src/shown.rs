@@ -55,6 +55,27 @@ impl Reference {
     ];
 }
 
+/// What the image of a built-in pass is, where its entry doesn't say: after `run`, what it shows and is held against.
+const BUILT_IN: [(&str, Shows, Reference); 5] = [
+    ("effect/soft_shadow", Shows::Share, Reference::SoftShadow),
+    ("effect/ambient_occlusion", Shows::Share, Reference::AmbientOcclusion),
+    ("effect/diffuse", Shows::Light, Reference::Diffuse),
+    ("effect/specular", Shows::Light, Reference::Specular),
+    ("composite", Shows::Light, Reference::Final),
+];
+
+/// What an entry's image shows and is held against: what is given, or what is so of the built-in pass that it runs.
+pub(crate) fn described(
+    run: &str,
+    shows: Option<Located<Shows>>,
+    reference: Option<Located<Reference>>,
+) -> (Option<Located<Shows>>, Option<Located<Reference>>) {
+    let known = BUILT_IN.iter().find(|(known, ..)| *known == run);
+    let shown = || known.map(|(_, shows, _)| Located { value: *shows, span: None });
+    let held_against = || known.map(|(.., reference)| Located { value: *reference, span: None });
+    (shows.or_else(shown), reference.or_else(held_against))
+}
+
 /// Reads a field that is one of these words, if it is given.
 pub(crate) fn choice<T: Copy>(
     fields: &mut Fields<'_>,
