@@ -70,7 +70,7 @@ pub enum Error {
     /// A scene is given that differs from the one on the device in more than may change between frames.
     #[error("this is another scene than the one that was planned for: {0}")]
     OtherScene(String),
-    /// A parameter or a camera is not what it has to be.
+    /// A parameter, a camera or a time is not what it has to be.
     #[error(transparent)]
     Fault(#[from] voxlume_fault::Fault),
     /// No screen has this size.

@@ -1,5 +1,6 @@
 //! Frames: what they show, what they run, and how they are recorded.
 
+use voxlume_fault::Fault;
 use voxlume_scene::Camera;
 
 use crate::timing::Queries;
@@ -46,7 +47,7 @@ impl Session {
     /// is made larger then, and all passes run again.
     ///
     /// # Errors
-    /// The camera isn't what it has to be, a pass isn't known, voxels have outgrown the plan's budget, or the device
+    /// The camera isn't what it has to be, the time isn't finite, a pass isn't known, voxels have outgrown the plan's budget, or the device
     /// refuses something or is lost. Don't submit the encoder then.
     pub fn encode(
         &mut self,
@@ -65,6 +66,11 @@ impl Session {
     pub(crate) fn begin(&mut self, frame: &Frame<'_>) -> Result<Vec<usize>, Error> {
         self.host.gpu.check()?;
         frame.camera.check()?;
+        if !frame.seconds.is_finite() {
+            return Err(Fault::new(format!("a frame at {} seconds", frame.seconds))
+                .note("a finite time")
+                .into());
+        }
         let plan = &self.work.plan;
         let index = |name: &&str| {
             let found = plan.passes.iter().position(|pass| pass.name == *name);
