@@ -232,7 +232,7 @@ fn the_cornell_box_explained() {
     let request = Request { resolution: Some(128), ..Request::image(512, 512) };
     let plan = gi_for(&SceneFacts::of(&scene).unwrap(), &request);
     assert_snapshot!(explain(&plan), @r#"
-    isotropic rgba16float · grid 128 × 128 × 128, voxels of 0.0447 · 512 × 512 pixels · 46 triangles
+    isotropic rgba16float, traced by cones · grid 128 × 128 × 128, voxels of 0.0447 · 512 × 512 pixels · 46 triangles
 
     passes
       voxelize           nothing → voxels, once

@@ -77,9 +77,9 @@ fn format_options() {
       ┌─ p.ron:2:42
       │
     2 │     format: "sh2:mop=projected:negatives=keep",
-      │                                          ^^^^ one of: sides, clamp, window
+      │                                          ^^^^ one of: clamp, window
       │
-      = radiance from a direction: what the sides towards it show (sides), or the sum of the bands, which may be below zero: cut off (clamp), or avoided by less of band 1 (window)
+      = radiance below zero: cut off (clamp), or avoided by less of band 1 (window)
     "#);
     assert_snapshot!(message(&[(r#""six_face""#, r#""isotropic:base=lobe""#)]), @r#"
     error: unknown option of `isotropic`: `base`
