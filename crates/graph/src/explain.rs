@@ -12,7 +12,7 @@ pub fn explain(plan: &Plan) -> String {
     // Writing to a string can't fail.
     let _ = writeln!(
         text,
-        "{} {} {} · grid {x} × {y} × {z}, voxels of {:.4} · {width} × {height} pixels · {} triangles\n",
+        "{} {}, traced by {} · grid {x} × {y} × {z}, voxels of {:.4} · {width} × {height} pixels · {} triangles\n",
         plan.format, plan.encoding, plan.tracer, plan.grid.voxel_size, plan.triangles
     );
     let _ = writeln!(text, "passes");

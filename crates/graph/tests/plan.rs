@@ -231,8 +231,8 @@ fn the_cornell_box_explained() {
     let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
     let request = Request { resolution: Some(128), ..Request::image(512, 512) };
     let plan = gi_for(&SceneFacts::of(&scene).unwrap(), &request);
-    assert_snapshot!(explain(&plan), @"
-    isotropic rgba16float cones · grid 128 × 128 × 128, voxels of 0.0447 · 512 × 512 pixels · 46 triangles
+    assert_snapshot!(explain(&plan), @r#"
+    isotropic rgba16float, traced by cones · grid 128 × 128 × 128, voxels of 0.0447 · 512 × 512 pixels · 46 triangles
 
     passes
       voxelize           nothing → voxels
@@ -293,7 +293,7 @@ fn the_cornell_box_explained() {
       directional lights' branch             the scene has none
       point lights' branch                   the scene has none
       spot lights' branch                    the scene has none
-    ");
+    "#);
 }
 
 #[test]
