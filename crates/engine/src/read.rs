@@ -85,7 +85,7 @@ impl Renderer<'_> {
         let Some(bytes) = self.buffer("out_of_range")? else { return Ok(None) };
         let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
         let (values, worst) = (word(0), f32::from_bits(word(4)));
-        Ok((values > 0).then_some(OutOfRange { values, worst, range: self.plan.encoding.range() }))
+        Ok((values > 0).then_some(OutOfRange { values, worst, range: self.plan.encoding.range }))
     }
 
     /// Bytes of each of the plan's resources.

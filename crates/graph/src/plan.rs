@@ -274,7 +274,7 @@ impl Plan {
             ResourceKind::PerVoxel(bytes) => bytes * voxels,
             ResourceKind::PerCell(bytes) => bytes * cells,
             ResourceKind::Volume { size, mips, encoding, numbers } => {
-                volume_texels(*size, *mips) * numbers.texel_bytes(*encoding)
+                volume_texels(*size, *mips) * numbers.texel(*encoding).bytes()
             }
             ResourceKind::Image { texel, layers } => width * height * u64::from(*layers) * texel.bytes(),
             ResourceKind::Raster { side } => u64::from(*side).pow(2),

@@ -88,7 +88,7 @@ pub fn plan(
     let pipeline = &pipeline;
 
     let format = variant::format(pipeline, &registry.formats, &mut faults);
-    let encoding = variant::encoding(pipeline, &mut faults);
+    let encoding = variant::encoding(pipeline, &registry.encodings, &mut faults);
     if !["conservative", "thin"].contains(&pipeline.separability.value.as_str()) {
         faults.push(unknown(pipeline, "separability", &pipeline.separability, &["conservative", "thin"]));
     }

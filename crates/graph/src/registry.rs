@@ -1,6 +1,6 @@
 //! What pipelines can name.
 
-use voxlume_format::Formats;
+use voxlume_format::{Encodings, Formats};
 use voxlume_shader::Library;
 
 use crate::tracer::Tracers;
@@ -10,15 +10,22 @@ use crate::tracer::Tracers;
 pub struct Registry {
     /// Storage formats.
     pub formats: Formats,
+    /// Texel encodings.
+    pub encodings: Encodings,
     /// Tracers.
     pub tracers: Tracers,
-    /// WGSL modules, those of the formats and tracers among them.
+    /// WGSL modules, those of the formats, encodings and tracers among them.
     pub library: Library,
 }
 
 impl Registry {
     /// What Voxlume brings along.
     pub fn builtin() -> Registry {
-        Registry { formats: Formats::builtin(), tracers: Tracers::builtin(), library: Library::builtin() }
+        Registry {
+            formats: Formats::builtin(),
+            encodings: Encodings::builtin(),
+            tracers: Tracers::builtin(),
+            library: Library::builtin(),
+        }
     }
 }

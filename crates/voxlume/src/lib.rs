@@ -19,8 +19,8 @@
 pub use voxlume_engine::{Clock, Error, Gpu, OutOfRange, PassTime, Passes, Picture, Renderer, Texels};
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
 pub use voxlume_format::{
-    Choices, Encoding, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2, SixFace,
-    StorageFormat, Twin, Volume, twin,
+    Choices, Encoding, Encodings, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2,
+    SixFace, StorageFormat, Texel, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
     Bind, CONES, DEFAULT_METHOD, Extent, Grid, KINDS, Kind, LeftOut, PassEntry, Pipeline, Plan, ProbeSize,

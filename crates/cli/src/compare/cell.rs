@@ -2,9 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{
-    Camera, Encoding, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, check_variant, one_of,
-};
+use voxlume::{Camera, Fault, Faults, Grid, Pipeline, Request, Scene, SceneFacts, check_variant, one_of};
 use voxlume_reference::cache::SceneDigest;
 
 use super::Args;
@@ -60,17 +58,18 @@ pub fn cells(
     let known = &registry.formats;
     let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
     let formats = words("storage format", &args.formats, &names, &mut faults);
+    let known_encodings: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.name).collect();
     let encodings = if args.encodings.is_empty() {
         vec![pipeline.encoding.value.clone()]
     } else {
-        words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults)
+        words("encoding", &args.encodings, &known_encodings, &mut faults)
     };
     if faults.is_empty() {
         for format in &formats {
-            faults.gather(check_variant(pipeline, known, format, Encoding::Rgba16Float.name()));
+            faults.gather(check_variant(pipeline, registry, format, known_encodings[0]));
         }
         for encoding in &encodings {
-            faults.gather(check_variant(pipeline, known, names[0], encoding));
+            faults.gather(check_variant(pipeline, registry, names[0], encoding));
         }
     }
     let all_effects = Effect::ALL.map(Effect::name);

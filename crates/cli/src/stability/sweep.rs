@@ -1,6 +1,6 @@
 //! Case after case.
 
-use voxlume::{Encoding, Fault, Faults, Gpu, Grid, Pipeline};
+use voxlume::{Fault, Faults, Gpu, Grid, Pipeline};
 use voxlume_fault::suggest;
 use voxlume_report::{Stability, StabilityRow, stability_page, utc_now};
 
@@ -108,7 +108,8 @@ fn cells(args: &Args, registry: &Registry) -> Result<Vec<Cell>, Faults> {
     }
     let known: Vec<&str> = registry.formats.iter().map(|format| format.name()).collect();
     let formats = words("storage format", &args.formats, &known, &mut faults);
-    let encodings = words("encoding", &args.encodings, &Encoding::ALL.map(Encoding::name), &mut faults);
+    let known: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.name).collect();
+    let encodings = words("encoding", &args.encodings, &known, &mut faults);
     for resolution in args.resolutions.iter().filter(|resolution| !Grid::RESOLUTIONS.contains(resolution)) {
         let range = Grid::RESOLUTIONS;
         let fault = Fault::new(format!("a grid of {resolution} × {resolution} × {resolution} voxels"));

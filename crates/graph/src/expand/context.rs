@@ -40,8 +40,8 @@ impl<'a> Storage<'a> {
     }
 
     fn mounts(&self) -> Vec<(&str, &str)> {
-        let filter = self.encoding.filter(self.filters_float32);
-        vec![("format", self.format.modules()), ("encoding", self.encoding.module()), ("filter", filter)]
+        let filter = self.encoding.texel.filter(self.filters_float32);
+        vec![("format", self.format.modules()), ("encoding", self.encoding.module), ("filter", filter)]
     }
 
     /// The word chosen for the option whose `override` has this name.
@@ -177,7 +177,7 @@ impl<'a> Context<'a> {
             ("HAS_AREA", flag(self.area_lights)),
             ("CONSERVATIVE", flag(self.pipeline.separability.value == "conservative")),
             ("ATTRIBUTE_STRIDE", f64::from(self.attribute_stride())),
-            ("ENCODING_RANGE", f64::from(self.storage.encoding.range())),
+            ("ENCODING_RANGE", f64::from(self.storage.encoding.range)),
         ]
     }
 
