@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(None)?;
     let library = Library::builtin();
     for format in Formats::builtin().iter() {
-        let mut bench = Bench::new(&gpu, format, &Choices::default(), &library, Encoding::Rgba16Float, SIDE)?;
+        let mut bench = Bench::new(&gpu, format, &Choices::default(), &library, Encoding::RGBA16FLOAT, SIDE)?;
         let mut svg = String::from(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 400\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"720\" height=\"400\" fill=\"#fff\"/>\n",
         );

@@ -7,7 +7,9 @@ use voxlume::{Numbers, Property};
 
 use crate::content::Random;
 use crate::substrate::opacity;
-use crate::{Bench, Check, Content, Error, Probe, absolute_rounding, clamped, directions, relative_rounding};
+use crate::{
+    Bench, Check, Content, Error, Probe, absolute_rounding, are_bytes, clamped, directions, relative_rounding,
+};
 
 /// 32 operations in `f32`, each right to 2⁻²⁴, on terms up to 8 children's: 2⁻¹⁶.
 const ARITHMETIC: f64 = 1.0 / 65536.0;
@@ -64,7 +66,7 @@ fn largest(figures: impl IntoIterator<Item = f64>) -> f64 {
 /// Devices may filter bytes in bytes: half a step for each of seven interpolations, of up to three sides at √3 in all.
 fn over(bench: &Bench<'_>, difference: DVec4, brightest: f64) -> f64 {
     let scale = DVec4::splat(brightest).with_w(1.0);
-    let bytes = bench.numbers().filter(|numbers| numbers.are_bytes(bench.encoding));
+    let bytes = bench.numbers().filter(|numbers| are_bytes(bench.encoding, *numbers));
     let step = |numbers| match numbers {
         // Of opacities, which radiance is shared out by.
         Numbers::Coverage => absolute_rounding(bench.encoding, numbers) * scale,

@@ -9,7 +9,7 @@
 //! use voxlume::{Encoding, Gpu, Library, twin, Isotropic};
 //!
 //! let gpu = Gpu::open(None)?;
-//! let report = voxlume_conformance::run(&gpu, &Isotropic, &Library::builtin(), Encoding::Rgba16Float)?;
+//! let report = voxlume_conformance::run(&gpu, &Isotropic, &Library::builtin(), Encoding::RGBA16FLOAT)?;
 //! println!("{report}");
 //! assert!(report.passes());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -32,7 +32,7 @@ pub use bench::{Bench, Probe};
 pub use content::{Content, Voxel};
 pub use directions::directions;
 pub use report::{Check, Report};
-pub use rounding::{absolute_rounding, clamped, relative_rounding};
+pub use rounding::{absolute_rounding, are_bytes, clamped, relative_rounding};
 pub use symmetry::Symmetry;
 
 /// Why the suite can't run.

@@ -72,7 +72,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} {}", self.format, self.encoding.name())?;
+        writeln!(f, "{} {}", self.format, self.encoding.name)?;
         for check in &self.checks {
             let limit = self.limit(check);
             let verdict = if check.figure <= limit { "" } else { "  FAILS" };

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec3, DVec4, UVec3};
 use voxlume::twin::{Twin, Volumes};
 use voxlume::{Choices, Encoding, Formats, Gpu, Library, Property, Source, StorageFormat};
-use voxlume_conformance::{Bench, Content, SIDE, against_twin, run};
+use voxlume_conformance::{Bench, Content, SIDE, against_twin, are_bytes, run};
 
 fn gpu() -> &'static Gpu {
     static GPU: OnceLock<Gpu> = OnceLock::new();
@@ -64,7 +64,7 @@ fn a_broken_twin_is_noticed_where_it_is_broken() {
     for format in Formats::builtin().iter() {
         let (choices, library) = (Choices::default(), Library::builtin());
         let twin = format.twin(&choices).unwrap();
-        let mut bench = Bench::new(gpu(), format, &choices, &library, Encoding::Rgba16Float, SIDE).unwrap();
+        let mut bench = Bench::new(gpu(), format, &choices, &library, Encoding::RGBA16FLOAT, SIDE).unwrap();
         let content = Content::random(SIDE, 5, 1.0);
         for (broken, part) in [
             (Break::Nothing, None),
@@ -72,7 +72,7 @@ fn a_broken_twin_is_noticed_where_it_is_broken() {
             (Break::Mipmap, Some("mipmap")),
             (Break::Sample, Some("sample")),
         ] {
-            let has_bytes = bench.numbers().any(|numbers| numbers.are_bytes(bench.encoding));
+            let has_bytes = bench.numbers().any(|numbers| are_bytes(bench.encoding, numbers));
             let sample = if has_bytes { LITTLE_OF_BYTES } else { LITTLE };
             let twin = Broken { twin: twin.as_ref(), part: broken, sample };
             let checks = against_twin(&mut bench, &twin, "random", &content).unwrap();
@@ -96,7 +96,7 @@ fn edited(module: &str, from: &str, to: &str) -> Library {
 /// The property that fails first where a format's WGSL is changed.
 fn fails(format: &str, library: &Library, property: Property) {
     let formats = Formats::builtin();
-    let report = run(gpu(), formats.get(format).unwrap(), library, Encoding::Rgba16Float).unwrap();
+    let report = run(gpu(), formats.get(format).unwrap(), library, Encoding::RGBA16FLOAT).unwrap();
     let failed: Vec<_> = report.failures().map(|check| check.property).collect();
     assert!(failed.contains(&property), "{property:?} holds:\n{report}");
 }
@@ -155,7 +155,7 @@ impl StorageFormat for Modest {
 
 #[test]
 fn a_miss_declared_in_vain_fails() {
-    let report = run(gpu(), &Modest, &Library::builtin(), Encoding::Rgba16Float).unwrap();
+    let report = run(gpu(), &Modest, &Library::builtin(), Encoding::RGBA16FLOAT).unwrap();
     assert_eq!(report.failures().count(), 0, "{report}");
     assert!(!report.passes(), "{report}");
     assert!(report.to_string().contains("opaque is declared to miss by 0.2 and doesn't"), "{report}");

@@ -19,7 +19,7 @@ fn every_option_has_a_twin() {
                 choices.choose(option, word);
                 let twin = format.twin(&choices).unwrap();
                 let mut bench =
-                    Bench::new(&gpu, format, &choices, &library, Encoding::Rgba16Float, SIDE).unwrap();
+                    Bench::new(&gpu, format, &choices, &library, Encoding::RGBA16FLOAT, SIDE).unwrap();
                 // Another choice's twin is told apart, where it has the same volumes.
                 if number > 0 && word != &option.words[0] {
                     let content = Content::random(SIDE, 5, 1.0);

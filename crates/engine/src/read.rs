@@ -86,7 +86,7 @@ impl Renderer<'_> {
             values += word(0);
             worst = worst.max(f32::from_bits(word(4)));
         }
-        let range = self.plan().encoding.range();
+        let range = self.plan().encoding.range;
         Ok((values > 0).then_some(OutOfRange { values, worst, range }))
     }
 

@@ -1,6 +1,6 @@
 //! A plan's resources on the device.
 
-use voxlume_format::{Encoding, Numbers};
+use voxlume_format::{Encoding, Numbers, Texel};
 use voxlume_graph::{ImageTexel, Life, Plan, ResourceKind};
 
 use crate::Error;
@@ -174,13 +174,12 @@ fn create(host: &mut Host, plan: &Plan, index: usize, (voxels, cells): (u64, u64
 /// The least that WebGPU renders to: a pass must have a target.
 pub(crate) const RASTER_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 
-/// As the aliases in wgsl/encoding/ say.
 fn volume_format(encoding: Encoding, numbers: Numbers) -> wgpu::TextureFormat {
-    match encoding {
-        _ if numbers.are_bytes(encoding) && numbers.are_signed() => wgpu::TextureFormat::Rgba8Snorm,
-        _ if numbers.are_bytes(encoding) => wgpu::TextureFormat::Rgba8Unorm,
-        Encoding::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
-        _ => wgpu::TextureFormat::Rgba16Float,
+    match numbers.texel(encoding) {
+        Texel::Rgba8Unorm => wgpu::TextureFormat::Rgba8Unorm,
+        Texel::Rgba8Snorm => wgpu::TextureFormat::Rgba8Snorm,
+        Texel::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+        Texel::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
     }
 }
 

@@ -18,7 +18,7 @@ mod six_face;
 pub mod twin;
 mod volume;
 
-pub use encoding::Encoding;
+pub use encoding::{Encoding, Encodings, Texel};
 pub use isotropic::Isotropic;
 pub use option::{Choices, FormatOption};
 pub use property::{Miss, Property};
@@ -98,7 +98,7 @@ mod tests {
         let mut choices = Choices::default();
         format.options().iter().take(1).for_each(|option| choices.choose(option, base));
         let volumes = format.volumes(&choices);
-        let bytes: u64 = volumes.iter().map(|v| v.bytes([128; 3], Encoding::Rgba16Float)).sum();
+        let bytes: u64 = volumes.iter().map(|v| v.bytes([128; 3], Encoding::RGBA16FLOAT)).sum();
         bytes as f64 / f64::from(1 << 20)
     }
 

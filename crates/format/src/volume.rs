@@ -1,6 +1,6 @@
 //! The textures that a format keeps.
 
-use crate::Encoding;
+use crate::{Encoding, Texel};
 
 /// Levels of a grid: down to the one where some side can't be halved exactly.
 pub fn level_count(grid: [u32; 3]) -> u32 {
@@ -33,29 +33,25 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    /// Whether each is a byte.
-    pub fn are_bytes(self, encoding: Encoding) -> bool {
-        self == Numbers::Coverage || matches!(encoding, Encoding::Rgba8 { .. })
-    }
-
-    /// Whether they go below zero.
-    pub fn are_signed(self) -> bool {
-        matches!(self, Numbers::Signed | Numbers::Radiances)
-    }
-
-    /// The largest of each channel.
-    pub fn ranges(self, encoding: Encoding) -> [f32; 4] {
-        let range = encoding.range();
-        match (self, encoding) {
-            (Numbers::Coverage, _) => [1.0; 4],
-            (Numbers::Radiance | Numbers::Signed, Encoding::Rgba8 { .. }) => [range, range, range, 1.0],
-            _ => [range; 4],
+    /// What holds them.
+    pub fn texel(self, encoding: Encoding) -> Texel {
+        match self {
+            Numbers::Radiance => encoding.texel,
+            Numbers::Signed | Numbers::Radiances => encoding.signed_texel,
+            Numbers::Coverage => Texel::Rgba8Unorm,
         }
     }
 
-    /// Bytes of a texel.
-    pub fn texel_bytes(self, encoding: Encoding) -> u64 {
-        if self.are_bytes(encoding) { 4 } else { encoding.texel_bytes() }
+    /// The largest of each channel. Opacity in bytes is a share of 1.
+    pub fn ranges(self, encoding: Encoding) -> [f32; 4] {
+        let range = encoding.range;
+        match (self, self.texel(encoding)) {
+            (Numbers::Coverage, _) => [1.0; 4],
+            (Numbers::Radiance | Numbers::Signed, Texel::Rgba8Unorm | Texel::Rgba8Snorm) => {
+                [range, range, range, 1.0]
+            }
+            _ => [range; 4],
+        }
     }
 }
 
@@ -122,6 +118,6 @@ impl Volume {
         let texels: u64 = (0..self.mip_levels(grid))
             .map(|mip| self.size(grid).into_iter().map(|n| u64::from((n >> mip).max(1))).product::<u64>())
             .sum();
-        texels * self.numbers.texel_bytes(encoding)
+        texels * self.numbers.texel(encoding).bytes()
     }
 }

@@ -89,8 +89,7 @@ fn shape(plan: &Plan, kind: &ResourceKind) -> String {
         ResourceKind::Scene | ResourceKind::Uniform(_) => String::new(),
         ResourceKind::Buffer(_) | ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_) => "buffer".into(),
         ResourceKind::Volume { size: [x, y, z], mips, encoding, numbers } => {
-            let texel = if numbers.are_bytes(*encoding) { "rgba8" } else { encoding.name() };
-            format!("{x} × {y} × {z} {texel}, {}", count(*mips, "level"))
+            format!("{x} × {y} × {z} {}, {}", numbers.texel(*encoding).word(), count(*mips, "level"))
         }
         ResourceKind::Image { extent, texel, layers, .. } => {
             let [width, height] = extent.size(plan.screen);

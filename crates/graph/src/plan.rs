@@ -442,7 +442,7 @@ impl Plan {
             ResourceKind::PerVoxel(bytes) => bytes * voxels,
             ResourceKind::PerCell(bytes) => bytes * cells,
             ResourceKind::Volume { size, mips, encoding, numbers } => {
-                volume_texels(*size, *mips) * numbers.texel_bytes(*encoding)
+                volume_texels(*size, *mips) * numbers.texel(*encoding).bytes()
             }
             ResourceKind::Image { extent, texel, layers, mips } => {
                 let [width, height] = extent.size(self.screen);

@@ -76,13 +76,13 @@ pub fn plan(
     let mut faults = Faults::default();
     let mut pipeline = pipeline.clone();
     apply(&mut pipeline, request, &mut faults);
-    let Registry { formats, kinds, tracers, library } = registry;
+    let Registry { formats, encodings, kinds, tracers, library } = registry;
     let library = with_own_effects(&pipeline, library, &mut faults);
     tracer::resolve(&mut pipeline, kinds, tracers, &mut faults);
     let pipeline = &pipeline;
 
     let format = variant::format(pipeline, &pipeline.format, formats, &mut faults);
-    let encoding = variant::encoding(pipeline, &pipeline.encoding, &mut faults);
+    let encoding = variant::encoding(pipeline, &pipeline.encoding, encodings, &mut faults);
     if !["conservative", "thin"].contains(&pipeline.separability.value.as_str()) {
         faults.push(unknown(pipeline, "separability", &pipeline.separability, &["conservative", "thin"]));
     }
@@ -111,8 +111,17 @@ pub fn plan(
     let storage = Storage::new(format, choices, encoding, filters_float32);
     let plan_format = storage.word();
     let screen = request.screen;
-    let given =
-        Given { pipeline, facts, kinds, formats, tracers, library: &library, screen, filters_float32 };
+    let given = Given {
+        pipeline,
+        facts,
+        kinds,
+        formats,
+        encodings,
+        tracers,
+        library: &library,
+        screen,
+        filters_float32,
+    };
     let mut context = Context::new(given, storage, grid, area_lights);
     let live = live(pipeline, &makers, &mut context);
     let mut passes = Vec::new();

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use voxlume_fault::{Faults, Source};
-use voxlume_format::{Choices, Encoding, Formats, StorageFormat};
+use voxlume_format::{Choices, Encoding, Encodings, Formats, StorageFormat};
 use voxlume_scene::Scene;
 use voxlume_shader::Library;
 
@@ -96,12 +96,14 @@ pub fn probe(
     let mut kinds = Kinds::builtin();
     kinds.add(Probe { samples: size.samples });
     let tracers = Tracers::builtin();
+    let encodings = Encodings::builtin();
     let (formats, filters_float32) = (Formats::builtin(), size.filters_float32);
     let given = Given {
         pipeline: &pipeline,
         facts: &facts,
         kinds: &kinds,
         formats: &formats,
+        encodings: &encodings,
         tracers: &tracers,
         library,
         screen: [1, 1],

@@ -1,6 +1,6 @@
 //! What pipelines can name.
 
-use voxlume_format::Formats;
+use voxlume_format::{Encodings, Formats};
 use voxlume_shader::Library;
 
 use crate::pass::Kinds;
@@ -11,11 +11,13 @@ use crate::tracer::Tracers;
 pub struct Registry {
     /// Storage formats.
     pub formats: Formats,
+    /// Texel encodings.
+    pub encodings: Encodings,
     /// Kinds of passes.
     pub kinds: Kinds,
     /// Tracers.
     pub tracers: Tracers,
-    /// WGSL modules, those of the formats, tracers and kinds among them.
+    /// WGSL modules, those of the formats, encodings, tracers and kinds among them.
     pub library: Library,
 }
 
@@ -24,6 +26,7 @@ impl Registry {
     pub fn builtin() -> Registry {
         Registry {
             formats: Formats::builtin(),
+            encodings: Encodings::builtin(),
             kinds: Kinds::builtin(),
             tracers: Tracers::builtin(),
             library: Library::builtin(),

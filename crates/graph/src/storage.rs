@@ -39,8 +39,8 @@ impl<'a> Storage<'a> {
     pub fn mounts(&self) -> [(&'static str, String); 3] {
         [
             ("format", self.format.modules().to_owned()),
-            ("encoding", self.encoding.module().to_owned()),
-            ("filter", self.encoding.filter(self.filters_float32).to_owned()),
+            ("encoding", self.encoding.module.to_owned()),
+            ("filter", self.encoding.texel.filter(self.filters_float32).to_owned()),
         ]
     }
 

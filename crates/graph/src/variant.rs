@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use voxlume_fault::{Fault, Faults, one_of, suggest};
-use voxlume_format::{Choices, Encoding, Formats, StorageFormat};
+use voxlume_format::{Choices, Encoding, Encodings, Formats, StorageFormat};
 
 use crate::pipeline::{Located, Pipeline};
+use crate::registry::Registry;
 
 /// A part of a word and where it stands.
 struct Part<'w> {
@@ -75,32 +76,32 @@ pub(crate) fn format<'f>(
 }
 
 /// The encoding that a word of the pipeline names.
-pub(crate) fn encoding(pipeline: &Pipeline, word: &Located<String>, faults: &mut Faults) -> Option<Encoding> {
+pub(crate) fn encoding(
+    pipeline: &Pipeline,
+    word: &Located<String>,
+    encodings: &Encodings,
+    faults: &mut Faults,
+) -> Option<Encoding> {
     let variant = Variant::of(word);
-    let known = Encoding::ALL.into_iter().find(|encoding| encoding.name() == variant.name.text);
-    let Some(mut encoding) = known else {
-        let names = Encoding::ALL.map(Encoding::name);
+    let Some(mut encoding) = encodings.get(variant.name.text) else {
+        let names: Vec<&str> = encodings.iter().map(|encoding| encoding.name).collect();
         faults.push(unknown(pipeline, "encoding", &variant.name, names));
         return None;
     };
     for (name, value) in &variant.options {
-        match (&mut encoding, name.text) {
-            (Encoding::Rgba8 { range }, "range") => {
-                let number = value.as_ref().and_then(|value| value.text.parse::<f32>().ok());
-                match number.filter(|number| *number > 0.0 && *number <= 65504.0) {
-                    Some(number) => *range = number,
-                    None => {
-                        let place = value.as_ref().unwrap_or(name);
-                        let label =
-                            "a number in (0, 65504]: the largest premultiplied radiance or coefficient";
-                        faults.push(pipeline.fault(&place.span, "unknown `range` of `rgba8`", label));
-                    }
-                }
-            }
-            (_, _) => {
-                let what = format!("option of `{}`:", encoding.name());
-                let known = matches!(encoding, Encoding::Rgba8 { .. }).then_some("range");
-                faults.push(unknown(pipeline, &what, name, known));
+        if !(encoding.declares_range && name.text == "range") {
+            let what = format!("option of `{}`:", encoding.name);
+            faults.push(unknown(pipeline, &what, name, encoding.declares_range.then_some("range")));
+            continue;
+        }
+        let number = value.as_ref().and_then(|value| value.text.parse::<f32>().ok());
+        match number.filter(|number| *number > 0.0 && *number <= 65504.0) {
+            Some(number) => encoding.range = number,
+            None => {
+                let place = value.as_ref().unwrap_or(name);
+                let label = "a number in (0, 65504]: the largest premultiplied radiance or coefficient";
+                let message = format!("unknown `range` of `{}`", encoding.name);
+                faults.push(pipeline.fault(&place.span, message, label));
             }
         }
     }
@@ -124,7 +125,7 @@ fn unknown<'w>(
 /// Each unknown name and option.
 pub fn check_variant(
     pipeline: &Pipeline,
-    formats: &Formats,
+    registry: &Registry,
     format_word: &str,
     encoding_word: &str,
 ) -> Result<(), Faults> {
@@ -132,7 +133,7 @@ pub fn check_variant(
     pipeline.format = Located { value: format_word.to_owned(), span: None };
     pipeline.encoding = Located { value: encoding_word.to_owned(), span: None };
     let mut faults = Faults::default();
-    format(&pipeline, &pipeline.format, formats, &mut faults);
-    encoding(&pipeline, &pipeline.encoding, &mut faults);
+    format(&pipeline, &pipeline.format, &registry.formats, &mut faults);
+    encoding(&pipeline, &pipeline.encoding, &registry.encodings, &mut faults);
     faults.into_result(())
 }

@@ -210,7 +210,9 @@ fn voxel_rays_need_no_shadow_maps() {
 #[test]
 fn bytes_are_called_bytes() {
     let scene = Scene::load(&root().join("scenes/cornell.ron")).unwrap();
-    for encoding in ["rgba8", "rgba16float", "rgba32float"] {
+    for (encoding, signed) in
+        [("rgba8", "rgba8snorm"), ("rgba16float", "rgba16float"), ("rgba32float", "rgba32float")]
+    {
         let request = Request {
             format: Some("sh2".into()),
             encoding: Some(encoding.into()),
@@ -222,7 +224,7 @@ fn bytes_are_called_bytes() {
             let line = explained.lines().find(|line| line.trim_start().starts_with(volume)).unwrap();
             line.split_once(',').unwrap().0.rsplit(' ').next().unwrap().to_owned()
         };
-        assert_eq!([texel("harmonics"), texel("coverage")], [encoding, "rgba8"]);
+        assert_eq!([texel("harmonics"), texel("coverage")], [signed, "rgba8unorm"]);
     }
 }
 

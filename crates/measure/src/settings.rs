@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use voxlume::{Encoding, Fault, Faults, Gpu, Grid, Pipeline, Registry, Request, check_variant};
+use voxlume::{Fault, Faults, Gpu, Grid, Pipeline, Registry, Request, check_variant};
 
 use crate::words::words;
 
@@ -69,20 +69,20 @@ impl Settings<'_> {
 
     /// Each format with each encoding.
     pub(crate) fn variants(&self, faults: &mut Faults) -> Vec<(String, String)> {
-        let known = &self.registry.formats;
-        let names: Vec<&str> = known.iter().map(|format| format.name()).collect();
+        let names: Vec<&str> = self.registry.formats.iter().map(|format| format.name()).collect();
         let formats = words("storage format", &self.formats, &names, faults);
+        let known: Vec<&str> = self.registry.encodings.iter().map(|encoding| encoding.name).collect();
         let encodings = if self.encodings.is_empty() {
             vec![self.pipeline.encoding.value.clone()]
         } else {
-            words("encoding", &self.encodings, &Encoding::ALL.map(Encoding::name), faults)
+            words("encoding", &self.encodings, &known, faults)
         };
         if faults.is_empty() {
             for format in &formats {
-                faults.gather(check_variant(self.pipeline, known, format, Encoding::Rgba16Float.name()));
+                faults.gather(check_variant(self.pipeline, self.registry, format, known[0]));
             }
             for encoding in &encodings {
-                faults.gather(check_variant(self.pipeline, known, names[0], encoding));
+                faults.gather(check_variant(self.pipeline, self.registry, names[0], encoding));
             }
         }
         let with =

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 // ANCHOR: suite
-use voxlume::{Encoding, Formats, Gpu, Library};
+use voxlume::{Encodings, Formats, Gpu, Library};
 use voxlume_sh3::{Sh3, register};
 
 #[test]
@@ -10,7 +10,7 @@ fn sh3_passes_the_suite() {
     let (mut formats, mut library) = (Formats::builtin(), Library::builtin());
     register(&mut formats, &mut library);
     let gpu = Gpu::open(None).unwrap();
-    for encoding in Encoding::ALL {
+    for encoding in Encodings::builtin().iter() {
         let report = voxlume_conformance::run(&gpu, &Sh3, &library, encoding).unwrap();
         assert!(report.passes(), "{report}");
     }

@@ -171,8 +171,8 @@ pub use voxlume_engine::{
 };
 pub use voxlume_fault::{Fault, Faults, Place, Source, nearest, one_of};
 pub use voxlume_format::{
-    Choices, Encoding, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2, SixFace,
-    StorageFormat, Twin, Volume, twin,
+    Choices, Encoding, Encodings, FormatOption, Formats, Isotropic, Levels, Miss, Numbers, Property, Sh2,
+    SixFace, StorageFormat, Texel, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
     Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,

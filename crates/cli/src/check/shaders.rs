@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use voxlume::{Encoding, Faults, Registry, Source, check_all};
+use voxlume::{Faults, Registry, Source, check_all};
 
 /// Checks all built-in modules with these files in their places.
 pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
@@ -22,7 +22,7 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     }
     let formats: Vec<&str> = registry.formats.iter().map(|format| format.modules()).collect();
     let tracers: Vec<&str> = registry.tracers.iter().map(|tracer| tracer.modules).collect();
-    let encodings = Encoding::ALL.map(Encoding::module);
+    let encodings: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.module).collect();
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
         let [effects, visitors, filters] = ["effect/", "visitor/", "filter/"].map(folder);

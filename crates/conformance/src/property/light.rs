@@ -1,10 +1,10 @@
 //! How light is kept, added and turned.
 
 use glam::DVec4;
-use voxlume::{Encoding, Property};
+use voxlume::{Numbers, Property};
 
 use super::{all_round, check, largest, radiance_rounding, rounding};
-use crate::{Bench, Check, Content, Error, Probe, Symmetry};
+use crate::{Bench, Check, Content, Error, Probe, Symmetry, are_bytes};
 
 /// Radiance over the sphere and all cells, times the face of a cell, at each level: what all cells send into a
 /// direction together, were none behind another.
@@ -28,7 +28,7 @@ pub fn energy(bench: &mut Bench<'_>) -> Result<Vec<Check>, Error> {
         ("wall", Content::wall(side, 0, 2, true, glam::DVec3::ONE), 0.0),
         ("haze", Content::random(side, 31, alpha), alpha),
     ] {
-        if matches!(bench.encoding, Encoding::Rgba8 { .. }) && hidden > 0.0 {
+        if are_bytes(bench.encoding, Numbers::Radiance) && hidden > 0.0 {
             // Thinner than a byte's step: nothing of it is there.
             continue;
         }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 use voxlume_fault::Faults;
-use voxlume_format::{Formats, StorageFormat};
+use voxlume_format::{Encodings, Formats, StorageFormat};
 use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
 
 use crate::bundle::Bundle;
@@ -26,6 +26,7 @@ pub(crate) struct Given<'a> {
     pub facts: &'a SceneFacts,
     pub kinds: &'a Kinds,
     pub formats: &'a Formats,
+    pub encodings: &'a Encodings,
     pub tracers: &'a Tracers,
     pub library: &'a Library,
     pub screen: [u32; 2],
@@ -42,6 +43,7 @@ pub(crate) struct Context<'a> {
     pub facts: &'a SceneFacts,
     pub kinds: &'a Kinds,
     formats: &'a Formats,
+    encodings: &'a Encodings,
     pub tracers: &'a Tracers,
     library: &'a Library,
     pub screen: [u32; 2],
@@ -68,12 +70,14 @@ pub(crate) struct Context<'a> {
 
 impl<'a> Context<'a> {
     pub fn new(given: Given<'a>, storage: Storage<'a>, grid: Grid, area_lights: bool) -> Context<'a> {
-        let Given { pipeline, facts, kinds, formats, tracers, library, screen, filters_float32 } = given;
+        let Given { pipeline, facts, kinds, formats, encodings, tracers, library, screen, filters_float32 } =
+            given;
         Context {
             pipeline,
             facts,
             kinds,
             formats,
+            encodings,
             tracers,
             library,
             screen,
@@ -140,7 +144,7 @@ impl<'a> Context<'a> {
         let encoding = encoding.unwrap_or_else(|| self.pipeline.encoding.clone());
         let mut faults = Faults::default();
         let chosen = variant::format(self.pipeline, &format, self.formats, &mut faults);
-        let encoding = variant::encoding(self.pipeline, &encoding, &mut faults);
+        let encoding = variant::encoding(self.pipeline, &encoding, self.encodings, &mut faults);
         // Each pass that uses the volume asks.
         let known: Vec<String> = self.faults.iter().map(ToString::to_string).collect();
         self.faults.extend(faults.into_iter().filter(|fault| !known.contains(&fault.to_string())));

@@ -23,7 +23,7 @@ impl Expansion<'_, '_> {
         let (grid, grid_bundle) = (self.grid().size, self.grid_bundle());
         let mut bundle = Bundle::default();
         storage.mounts().iter().for_each(|(name, folder)| bundle.mount(name, folder));
-        bundle.with("ENCODING_RANGE", f64::from(storage.encoding.range()));
+        bundle.with("ENCODING_RANGE", f64::from(storage.encoding.range));
         storage.words().for_each(|(option, word)| bundle.with_word(&option, word));
         bundle.join(&grid_bundle);
         if let Some(index) = grid_bundle.grid() {
