@@ -106,7 +106,7 @@ impl Resources {
 
 fn slot(host: &mut Host, plan: &Plan, index: usize, counts: (u64, u64)) -> Result<Slot, Error> {
     let copies = match plan.resources[index].life {
-        Life::Frame => 1,
+        Life::Frame | Life::Kept => 1,
         Life::History => 2,
     };
     let objects = (0..copies).map(|_| create(host, plan, index, counts)).collect::<Result<_, _>>()?;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use voxlume_shader::{Access, BindingKind, Shader};
 
 use crate::plan::{
-    Bind, Groups, ParamSlot, Program, Resource, ResourceKind, Sources, Step, Target, Vertices,
+    Bind, Groups, Life, ParamSlot, Program, Resource, ResourceKind, Sources, Step, Target, Vertices,
 };
 
 /// What changes the part of the scene or the frame that the engine supplies under a name.
@@ -61,6 +61,7 @@ impl Flow {
             for index in read.map(|touch| touch.resource) {
                 let resource = &resources[index];
                 match resource.kind {
+                    _ if resource.life == Life::Kept => {}
                     ResourceKind::Scene => flow.depends(&resource.name),
                     ResourceKind::Uniform(_) => {
                         flow.sources.parameters |= params.iter().any(|slot| slot.resource == index);

@@ -64,6 +64,9 @@ pub enum Life {
     /// A pass also reads the value before the last writing: there are two of it, which change places when a pass
     /// writes.
     History,
+    /// Whoever writes it leaves it right for whoever comes next, in this frame or a later one: no pass depends on another
+    /// one through it.
+    Kept,
 }
 
 /// What a resource is.
@@ -451,7 +454,7 @@ impl Plan {
             ResourceKind::Raster { side } => u64::from(*side).pow(2),
         };
         Some(match resource.life {
-            Life::Frame => bytes,
+            Life::Frame | Life::Kept => bytes,
             Life::History => 2 * bytes,
         })
     }

@@ -335,3 +335,16 @@ fn fine_triangles_leave_no_bands() {
     assert!(noted(&fine) && fine.resource("item_ranks").is_none());
     assert!(!noted(&coarse) && coarse.resource("item_ranks").is_some());
 }
+
+/// What is left of the volume's cells from frame to frame ties no pass to another: each leaves it right for the next.
+#[test]
+fn passes_that_store_a_volume_depend_on_each_other_by_the_volume_alone() {
+    let set = vec![("bounce".to_owned(), "bounces".to_owned(), Value::Number(1.0))];
+    let plan = gi_for(&SceneFacts { polygons: None, ..rich() }, &Request { set, ..request() });
+    let stored = plan.resource("volume.stored").unwrap();
+    for name in ["emission", "filter", "bounce"] {
+        let pass = plan.passes.iter().find(|pass| pass.name == name).unwrap();
+        let touches = pass.steps.iter().flat_map(Step::touches).any(|touch| touch.resource == stored);
+        assert!(touches && !pass.inputs.contains(&stored) && !pass.outputs.contains(&stored), "{name}");
+    }
+}

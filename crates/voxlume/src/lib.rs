@@ -136,7 +136,9 @@
 //! | [`Formats`] | The formats to choose from; others are added to the built-in ones. |
 //! | [`StorageFormat`] | A format: its volumes, its WGSL modules, its options. |
 //! | [`Isotropic`], [`SixFace`], [`Sh2`] | The built-in formats. |
+//! | [`Encodings`] | The encodings to choose from; others are added to the built-in ones. |
 //! | [`Encoding`] | How the numbers of a format are stored. |
+//! | [`Texel`] | Texels of four numbers that every device can write and read. |
 //! | [`Volume`] | A 3D texture of a format. |
 //! | [`Levels`] | Which of the grid's levels a volume holds. |
 //! | [`Numbers`] | What the numbers of a volume's texels are. |

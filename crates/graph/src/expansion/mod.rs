@@ -234,6 +234,13 @@ impl<'c, 'a> Expansion<'c, 'a> {
         self.context.resource(name, kind)
     }
 
+    /// A buffer that passes which share it leave right for each other: see [`Life::Kept`].
+    pub fn kept(&mut self, name: &str, kind: ResourceKind) -> usize {
+        let resource = self.resource(name, kind);
+        self.context.resources[resource].life = Life::Kept;
+        resource
+    }
+
     /// The resource called `name`, if there is one.
     pub fn known(&self, name: &str) -> Option<usize> {
         self.context.known(name)

@@ -87,7 +87,7 @@ pub(crate) fn store_and_mipmap(
     let stored = moving.then(|| {
         let words = ResourceKind::Buffer(u64::from(grid.word_offsets().1) * 4);
         let name = format!("{}.stored", volume.name);
-        pass.resource(&name, words)
+        pass.kept(&name, words)
     });
     if let Some(stored) = stored {
         pass.run("pass/vacate")
