@@ -263,9 +263,9 @@ fn two_images_of_one_name() {
         "compare box.ron --pipeline two.ron --out out",
         "loading
 error: two images would be compared as `final`
-   ┌─ two.ron:73:18
+   ┌─ two.ron:65:18
    │
-73 │             run: \"composite\",
+65 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }
