@@ -126,7 +126,7 @@ fn costs_what_it_must(change: Change, passes: &[String], cost: Counters, plan: &
     assert!(!ran("voxelize static"), "{what}");
     assert_eq!(ran("voxelize"), change == Change::Ball, "{what}");
     let lit = matches!(change, Change::Ball | Change::Lamp | Change::Sky);
-    assert!(ran("light") == lit || change == Change::Bounce, "{what}");
+    assert_eq!(ran("light"), lit, "{what}");
     assert_eq!(ran("composite"), change != Change::Nothing, "{what}");
     if change == Change::Size {
         // The camera's uniform has the screen's size.
