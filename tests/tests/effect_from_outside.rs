@@ -7,7 +7,7 @@ use voxlume_tests::{built_in, picture, render, root};
 /// How thick what is behind the surface is: a trace into it.
 const THICKNESS: &str = "
 import package::common::surface::Surface;
-import package::common::trace::{Apex, reach_of};
+import package::common::trace::{Apex, cone_lobe, reach_of};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
@@ -19,8 +19,8 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let apex = Apex(surface.position_voxel, inwards, 1.0);
-    let opacity = trace_opacity(apex, inwards, sin(params.aperture / 2.0), reach_of(params.depth), 0.0);
+    let apex = Apex(surface.position_voxel, inwards, 1.0, 0.0, surface.turn);
+    let opacity = trace_opacity(apex, cone_lobe(inwards, sin(params.aperture / 2.0)), reach_of(params.depth), 0.0);
     return vec4f(vec3f(opacity), 1.0);
 }
 ";

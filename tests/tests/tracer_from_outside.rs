@@ -6,7 +6,7 @@ use voxlume_tests::{built_in, gpu, root};
 
 /// Rays through the bitmask, which tell what is open and gather nothing.
 const FEELERS: &str = "
-import package::common::trace::{Apex, Gathered, Reach};
+import package::common::trace::{Apex, Gathered, Lobe, Reach};
 import package::common::voxel_ray::ray_blocked;
 
 struct TraceParams {
@@ -16,13 +16,13 @@ struct TraceParams {
 
 var<uniform> trace_params: TraceParams;
 
-fn trace_opacity(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach, falloff: f32) -> f32 {
+fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
     let origin = apex.position + trace_params.lift * apex.normal;
-    return select(0.0, 1.0, ray_blocked(origin, direction, reach.distance - 2.0 * trace_params.lift));
+    return select(0.0, 1.0, ray_blocked(origin, lobe.axis, reach.distance - 2.0 * trace_params.lift));
 }
 
-fn trace_gather(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach) -> Gathered {
-    return Gathered(vec3f(0.0), trace_opacity(apex, direction, half_sine, reach, 0.0), 0.0);
+fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
+    return Gathered(vec3f(0.0), trace_opacity(apex, lobe, reach, 0.0), 0.0);
 }
 ";
 

@@ -2,6 +2,7 @@
 
 import package::common::camera::camera;
 import package::common::grid::to_voxel;
+import package::common::trace::Apex;
 
 var albedo: texture_2d<f32>;
 var normal: texture_2d<f32>;
@@ -31,6 +32,10 @@ struct Surface {
     turn: f32,
     // False where nothing is behind the pixel.
     hit: bool,
+}
+
+fn surface_apex(surface: Surface, start: f32) -> Apex {
+    return Apex(surface.position_voxel, surface.normal_geometric, start, 0.0, surface.turn);
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {

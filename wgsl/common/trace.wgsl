@@ -3,10 +3,44 @@
 // Where a trace starts: on a surface, whose own voxels it must leave.
 struct Apex {
     position: vec3f,
-    // Unit.
+    // Unit, of the surface itself.
     normal: vec3f,
     // How far over the surface the trace begins: 1 is where the surface's own voxels end.
     start: f32,
+    // How far over `position` the surface may lie: 0 for a point on it.
+    depth: f32,
+    // [0, 1): which of the sets of directions that neighbours share out this one traces.
+    turn: f32,
+}
+
+// The directions that a trace covers, and the weight of each. What comes of them is a mean over the lobe.
+struct Lobe {
+    shape: u32,
+    // Unit: the middle of a cone, or the normal.
+    axis: vec3f,
+    // Unit, towards the viewer, for `LOBE_GGX`.
+    view: vec3f,
+    // `LOBE_CONE`: sine of half the aperture, [0, 1]. `LOBE_GGX`: perceptual roughness, [0, 1].
+    width: f32,
+}
+
+// All directions within a cone alike.
+const LOBE_CONE = 0u;
+// The hemisphere over a normal, by the cosine with it.
+const LOBE_HEMISPHERE = 1u;
+// Mirror images of the view in GGX's visible normals, as far as they lie over the surface.
+const LOBE_GGX = 2u;
+
+fn cone_lobe(direction: vec3f, half_sine: f32) -> Lobe {
+    return Lobe(LOBE_CONE, direction, vec3f(0.0), half_sine);
+}
+
+fn hemisphere_lobe(normal: vec3f) -> Lobe {
+    return Lobe(LOBE_HEMISPHERE, normal, vec3f(0.0), 1.0);
+}
+
+fn ggx_lobe(normal: vec3f, view: vec3f, roughness: f32) -> Lobe {
+    return Lobe(LOBE_GGX, normal, view, roughness);
 }
 
 // Where a trace ends.
@@ -18,20 +52,20 @@ struct Reach {
     normal: vec3f,
 }
 
-// What a trace met.
-struct Gathered {
-    // Premultiplied, W·m⁻²·sr⁻¹.
-    radiance: vec3f,
-    // [0, 1]
-    opacity: f32,
-    // To the first that it met; without any, the reach.
-    distance: f32,
-}
-
 fn reach_of(distance: f32) -> Reach {
     return Reach(distance, vec3f(0.0), vec3f(0.0));
 }
 
 fn reach_up_to(point: vec3f, normal: vec3f) -> Reach {
     return Reach(1e30, point, normal);
+}
+
+// What comes of a trace.
+struct Gathered {
+    // Mean radiance that arrives, W·m⁻²·sr⁻¹; where nothing is met, the sky's.
+    radiance: vec3f,
+    // Mean opacity of what is met, [0, 1].
+    opacity: f32,
+    // To the first that it meets; without any, the reach.
+    distance: f32,
 }

@@ -6,8 +6,8 @@ import package::common::environment::environment;
 import package::common::grid::{grid, to_voxel};
 import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
-import package::common::surface::Surface;
-import package::common::trace::{Apex, reach_of, reach_up_to};
+import package::common::surface::{Surface, surface_apex};
+import package::common::trace::{cone_lobe, reach_of, reach_up_to};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
@@ -30,8 +30,8 @@ fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, param
         let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
         reach = reach_up_to(to_voxel(light.position), facing);
     }
-    let apex = Apex(surface.position_voxel, surface.normal_geometric, params.start);
-    return 1.0 - trace_opacity(apex, incidence.direction, half_sine, reach, 0.0);
+    let part = cone_lobe(incidence.direction, half_sine);
+    return 1.0 - trace_opacity(surface_apex(surface, params.start), part, reach, 0.0);
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {

@@ -2,11 +2,12 @@
 // Illumination') and adds what it reflects to its own light.
 
 import package::common::attributes::{voxel_facing, voxel_facings, voxel_surface};
-import package::common::diffuse_cones::{DiffuseCones, FULL_RING, gather_diffuse};
 import package::common::constants::PI;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
-import package::common::trace::Apex;
+import package::common::trace::{Apex, hemisphere_lobe, reach_of};
+import package::common::turn::turn_at;
+import package::tracer::trace::trace_gather;
 
 struct Params {
     /// Where traces begin: 1 is where the surface's own voxels end, [0, 4].
@@ -21,6 +22,14 @@ var<storage, read_write> bounced: array<vec4f>;
 // Without: what is reflected, alone.
 override ADD_DIRECT: bool = true;
 
+// Irradiance on one side of a voxel's surface, W·m⁻².
+fn irradiance(cell: vec3u, normal: vec3f) -> vec3f {
+    // The surface lies up to half of |n|₁ from the voxel's centre.
+    let depth = 0.5 * (abs(normal.x) + abs(normal.y) + abs(normal.z));
+    let apex = Apex(vec3f(cell) + 0.5, normal, params.start, depth, turn_at(cell.xy ^ cell.zz));
+    return PI * trace_gather(apex, hemisphere_lobe(normal), reach_of(1e30)).radiance;
+}
+
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
@@ -30,14 +39,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let facings = voxel_facings(surface);
-    let cones = DiffuseCones(FULL_RING, 0.0);
-    let p_voxel = vec3f(cell) + 0.5;
     var arriving = vec3f(0.0);
     for (var i = 0u; i < facings.count; i++) {
         let normal = voxel_facing(surface, facings, i);
-        var both = gather_diffuse(Apex(p_voxel, normal, params.start), cones).rgb;
+        var both = irradiance(cell, normal);
         if (facings.count > 1) {
-            both += gather_diffuse(Apex(p_voxel, -normal, params.start), cones).rgb;
+            both += irradiance(cell, -normal);
         }
         arriving += both / facings.divisor;
     }

@@ -4,8 +4,8 @@
 import package::common::basis::basis_around;
 import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
 import package::common::grid::grid;
-import package::common::surface::Surface;
-import package::common::trace::{Apex, reach_of};
+import package::common::surface::{Surface, surface_apex};
+import package::common::trace::{cone_lobe, reach_of};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
@@ -15,14 +15,14 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let longest = f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
-    let apex = Apex(surface.position_voxel, surface.normal, 1.0);
+    let apex = surface_apex(surface, 1.0);
     let reach = reach_of(params.distance * longest);
     let tangents = basis_around(surface.normal);
     var open = vec4f(0.0);
     let cones = DiffuseCones(FULL_RING, 0.0);
     for (var i = 0u; i <= cones.ring; i++) {
         let direction = tangents * diffuse_direction(cones, i);
-        let opacity = trace_opacity(apex, direction, DIFFUSE_HALF_SINE, reach, 0.0);
+        let opacity = trace_opacity(apex, cone_lobe(direction, DIFFUSE_HALF_SINE), reach, 0.0);
         open += diffuse_weight(cones, i) * (1.0 - opacity) * vec4f(direction, 1.0);
     }
     let size = length(open.xyz);

@@ -52,8 +52,8 @@ pub const FORMAT_SAMPLE: Contract = Contract {
     }],
 };
 
-/// What a tracer meets in the scene: of a trace as wide as a cone whose half aperture has this sine, premultiplied radiance,
-/// opacity and the distance of the first hit; and its opacity alone, in less time, which loses weight with the distance t as
+/// What a tracer meets in the directions of a lobe: the mean radiance that arrives, the sky's where nothing is met, the mean
+/// opacity and the distance of the first hit; and the opacity alone, in less time, which loses weight with the distance t as
 /// 1/(1 + `falloff`·t). Lengths are voxels.
 pub const TRACER: Contract = Contract {
     what: "tracer",
@@ -61,18 +61,12 @@ pub const TRACER: Contract = Contract {
     functions: &[
         Requirement {
             name: "trace_gather",
-            arguments: &[("apex", "Apex"), ("direction", "vec3f"), ("half_sine", "f32"), ("reach", "Reach")],
+            arguments: &[("apex", "Apex"), ("lobe", "Lobe"), ("reach", "Reach")],
             result: Some("Gathered"),
         },
         Requirement {
             name: "trace_opacity",
-            arguments: &[
-                ("apex", "Apex"),
-                ("direction", "vec3f"),
-                ("half_sine", "f32"),
-                ("reach", "Reach"),
-                ("falloff", "f32"),
-            ],
+            arguments: &[("apex", "Apex"), ("lobe", "Lobe"), ("reach", "Reach"), ("falloff", "f32")],
             result: Some("f32"),
         },
     ],

@@ -37,7 +37,9 @@ fn cone_of(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach) -> Cone {
     let growth = max(dot(apex.normal, direction), 0.0) / lift;
     let origin = apex.position + apex.normal * (lift * apex.start);
     if (all(reach.normal == vec3f(0.0))) {
-        return Cone(origin, direction, half_sine, reach.distance - lift * apex.start, apex.start, growth, 1.0);
+        // In this order: where the end of a loop is a uniform less something, Mesa 22.3's software device crashes.
+        let end = -lift * apex.start + reach.distance;
+        return Cone(origin, direction, half_sine, end, apex.start, growth, 1.0);
     }
     let end_lift = filter_reach(reach.normal);
     let cosine = max(-dot(reach.normal, direction), 1e-4);

@@ -8,6 +8,9 @@ struct TraceParams {
     stepper: u32,
     /// Step over cell size, of the tangent spheres, (0, 1]; 1 unless given.
     step: f32,
+    /// Cones around the axis of a hemisphere, [1, 8]; 5 unless given. Fewer stand for the ring of five, and neighbours turn
+    /// them differently.
+    ring: u32,
 }
 
 // RAU's tangent spheres: each sample's sphere touches the one before it (RAU eq. of §6.1, r = d·sin(θ/2)).

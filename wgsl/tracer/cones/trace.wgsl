@@ -1,71 +1,67 @@
-// Voxel cone tracing (RAU §6.1, DVS §4). A cone composites samples front to back: c += T·c₂, T −= T·α₂ with
-// premultiplied c₂ (DVS §4, corrected). Lengths are voxels of level 0.
+// Voxel cone tracing (RAU §6.1, DVS §4): a lobe as one cone as wide as it is, or the hemisphere as several of 60°.
 
-import package::common::grid::grid;
-import package::common::trace::{Apex, Gathered, Reach};
-import package::format::sample::voxel_sample;
+import package::common::basis::basis_around;
+import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
+import package::common::environment::environment;
+import package::common::trace::{Apex, Gathered, LOBE_CONE, LOBE_GGX, LOBE_HEMISPHERE, Lobe, Reach};
+import package::tracer::composite::composite_cone;
 import package::tracer::cone::{Cone, cone_of};
-import package::tracer::step::cone_step;
+import package::tracer::step::trace_params;
 
-// Transmittance at which a cone ends: what it met stands for the rest.
-const CLOSED = 0.004;
-
-// Opacity through `length` of cells that have opacity `alpha` over `cell`: α' = 1 − (1 − α)^(length/cell).
-fn opacity_over(alpha: f32, ratio: f32) -> f32 {
-    return 1.0 - pow(1.0 - min(alpha, 0.9999), ratio);
+// Half-angle of the cone that holds half of the GGX lobe's energy around the mirrored direction. Half of the
+// microfacet normals lie within tan θ = α (from ∫ D cosθ dω = tan²θ / (α² + tan²θ)), and mirroring doubles
+// the angle.
+fn ggx_half_sine(roughness: f32) -> f32 {
+    let alpha = roughness * roughness;
+    return sin(min(2.0 * atan(alpha), 1.2));
 }
 
-// Beyond the outermost cells' centres the sampler repeats them: fade them out as empty neighbours would.
-fn share_inside(p: vec3f, cell: f32) -> f32 {
-    let size = vec3f(grid.size);
-    let beyond = max(abs(p - 0.5 * size) - 0.5 * (size - cell), vec3f(0.0)) / cell;
-    let share = max(1.0 - beyond, vec3f(0.0));
-    return share.x * share.y * share.z;
+// A full ring stands for itself, and isn't turned.
+fn hemisphere_cones(turn: f32) -> DiffuseCones {
+    return DiffuseCones(trace_params.ring, select(turn, 0.0, trace_params.ring >= FULL_RING));
 }
 
-// Without `lit` only the opacity counts: Σ T·α/(1 + falloff·t).
-fn composite_cone(cone: Cone, falloff: f32, lit: bool) -> Gathered {
-    let size = vec3f(grid.size);
-    // Apart, so that what needs opacity alone fetches nothing else.
-    var radiance = vec3f(0.0);
-    var opacity = 0.0;
-    var distance = cone.reach;
-    var transmittance = 1.0;
-    var transmittance_before = 1.0;
-    var t = 0.0;
-    for (var i = 0; i < 512 && t < cone.reach && transmittance > CLOSED; i++) {
-        let s = cone_step(cone, t);
-        let p = cone.origin + s.at * cone.direction;
-        let cell = exp2(s.level);
-        let inside_grid = share_inside(p, cell);
-        if (inside_grid <= 0.0) {
-            break;
-        }
-        let value = voxel_sample(p / size, s.level, cone.direction);
-        // Doubling cones take few samples, each the share of a surface that its filter finds: shares add up.
-        // Spheres follow each other as layers do; but a linear filter shows a surface to two of them in turn, so each
-        // is composited with what was in front of its predecessor: a wall's two shares add up to all of it.
-        let ratio = s.length / cell;
-        let alpha = value.a * inside_grid;
-        let layer = transmittance_before * opacity_over(alpha, ratio);
-        let weight = min(transmittance, select(layer, alpha * ratio, s.adds));
-        if (lit) {
-            radiance += value.rgb * (weight / max(value.a, 1e-6));
-        }
-        opacity += weight / (1.0 + falloff * s.at);
-        distance = select(distance, s.at, weight > 0.0 && s.at < distance);
-        transmittance_before = transmittance;
-        transmittance -= weight;
-        t = s.next;
+fn cone_count(lobe: Lobe) -> u32 {
+    return select(1, trace_params.ring + 1, lobe.shape == LOBE_HEMISPHERE);
+}
+
+fn cone_weight(lobe: Lobe, index: u32) -> f32 {
+    if (lobe.shape != LOBE_HEMISPHERE) {
+        return 1.0;
     }
-    let whole = select(1.0, 1.0 / (1.0 - transmittance), transmittance <= CLOSED);
-    return Gathered(radiance * whole, opacity * whole, distance);
+    return diffuse_weight(hemisphere_cones(0.0), index);
 }
 
-fn trace_gather(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach) -> Gathered {
-    return composite_cone(cone_of(apex, direction, half_sine, reach), 0.0, true);
+fn lobe_cone(apex: Apex, lobe: Lobe, reach: Reach, index: u32) -> Cone {
+    if (lobe.shape == LOBE_CONE) {
+        return cone_of(apex, lobe.axis, lobe.width, reach);
+    }
+    if (lobe.shape == LOBE_GGX) {
+        return cone_of(apex, reflect(-lobe.view, lobe.axis), ggx_half_sine(lobe.width), reach);
+    }
+    // A hemisphere keeps clear of the plane that it stands on, be that the surface's own or that of its shading.
+    var upright = apex;
+    upright.normal = lobe.axis;
+    let direction = basis_around(lobe.axis) * diffuse_direction(hemisphere_cones(apex.turn), index);
+    return cone_of(upright, direction, DIFFUSE_HALF_SINE, reach);
 }
 
-fn trace_opacity(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach, falloff: f32) -> f32 {
-    return composite_cone(cone_of(apex, direction, half_sine, reach), falloff, false).opacity;
+fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
+    var sum = vec4f(0.0);
+    var distance = 1e30;
+    for (var i = 0u; i < cone_count(lobe); i++) {
+        let found = composite_cone(lobe_cone(apex, lobe, reach, i), 0.0, true);
+        let arriving = found.radiance + (1.0 - found.opacity) * environment.sky;
+        sum += cone_weight(lobe, i) * vec4f(arriving, found.opacity);
+        distance = min(distance, found.distance);
+    }
+    return Gathered(sum.rgb, sum.a, distance);
+}
+
+fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
+    var sum = 0.0;
+    for (var i = 0u; i < cone_count(lobe); i++) {
+        sum += cone_weight(lobe, i) * composite_cone(lobe_cone(apex, lobe, reach, i), falloff, false).opacity;
+    }
+    return sum;
 }

@@ -88,12 +88,12 @@ fn formats() {
 
 #[test]
 fn tracers() {
-    let asked = "struct Apex { p: vec3f }\nstruct Reach { d: f32 }\nstruct Gathered { a: f32 }\n\
-                 fn trace_gather(a: Apex, d: vec3f, s: f32, r: Reach) -> Gathered { return Gathered(); }\n";
-    let opacity = "fn trace_opacity(a: Apex, d: vec3f, s: f32, r: Reach, f: f32) -> f32 { return f; }\n";
+    let asked = "struct Apex { p: vec3f }\nstruct Lobe { s: u32 }\nstruct Reach { d: f32 }\nstruct Gathered { a: f32 }\n\
+                 fn trace_gather(a: Apex, l: Lobe, r: Reach) -> Gathered { return Gathered(); }\n";
+    let opacity = "fn trace_opacity(a: Apex, l: Lobe, r: Reach, f: f32) -> f32 { return f; }\n";
     fulfils("tracer/new/trace", &format!("{asked}{opacity}")).unwrap();
     assert_snapshot!(fulfils("tracer/new/trace", asked).unwrap_err(), @"
-    error: tracer `new` must have `fn trace_opacity(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach, falloff: f32) -> f32`
+    error: tracer `new` must have `fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32`
       ┌─ tracer/new/trace.wgsl:1:1
       │
     1 │ struct Apex { p: vec3f }
