@@ -157,7 +157,7 @@ fn a_reference_is_written_with_its_error() {
 
 /// An effect from outside the repository: how much lies behind a surface.
 const THICKNESS: &str = "import package::common::surface::Surface;
-import package::common::trace::{Apex, reach_of};
+import package::common::trace::{Apex, cone_lobe, reach_of};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
@@ -167,8 +167,8 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let apex = Apex(surface.position_voxel, inwards, 1.0);
-    return vec4f(vec3f(trace_opacity(apex, inwards, 0.3, reach_of(params.depth), 0.0)), 1.0);
+    let apex = Apex(surface.position_voxel, inwards, 1.0, 0.0, surface.turn);
+    return vec4f(vec3f(trace_opacity(apex, cone_lobe(inwards, 0.3), reach_of(params.depth), 0.0)), 1.0);
 }
 ";
 

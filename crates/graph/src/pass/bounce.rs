@@ -1,9 +1,9 @@
 //! Further bounces.
 
 use super::volume::{gather, store_and_mipmap};
-use super::{Idle, ParamWords, PassKind, Port, Sort, Values};
+use super::{Idle, ParamWords, PassKind, Port, RADIANCE, VOLUME, VOXELS, Values};
 use crate::expansion::Expansion;
-use crate::pass::light::RADIANCE;
+use crate::pass::light::VOXEL_RADIANCE;
 use crate::pipeline::{PassEntry, Value};
 use crate::plan::Target;
 
@@ -21,10 +21,7 @@ impl PassKind for Bounce {
     }
 
     fn reads(&self) -> &[Port] {
-        const PORTS: &[Port] = &[
-            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
-            Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance"),
-        ];
+        const PORTS: &[Port] = &[VOXELS, RADIANCE];
         PORTS
     }
 
@@ -33,7 +30,7 @@ impl PassKind for Bounce {
     }
 
     fn updates(&self) -> &[Port] {
-        &[const { Port::new("volume", Sort::VOLUME, "filtered radiance and opacity, in the storage format") }]
+        &[VOLUME]
     }
 
     fn words(&self) -> &[ParamWords] {
@@ -60,7 +57,7 @@ impl PassKind for Bounce {
         let Some(Target::Resource(direct)) = radiance.part("direct") else { return };
         // Where the number is at fault, one has the other parameters checked.
         for _ in 0..bounces.unwrap_or(1) {
-            let bounced = pass.resource("bounced", RADIANCE);
+            let bounced = pass.resource("bounced", VOXEL_RADIANCE);
             gather(pass, &volume, *direct, bounced, true);
             store_and_mipmap(pass, &volume, bounced, None, false);
         }

@@ -1,10 +1,10 @@
 //! What voxels gather of the sky and of emission.
 
 use super::volume::{gather, store_and_mipmap};
-use super::{PassKind, Port, Sort};
+use super::{PassKind, Port, Sort, VOXELS};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
-use crate::pass::light::RADIANCE;
+use crate::pass::light::VOXEL_RADIANCE;
 use crate::plan::Target;
 
 /// See [`PassKind::sentence`].
@@ -21,9 +21,7 @@ impl PassKind for Emission {
     }
 
     fn reads(&self) -> &[Port] {
-        &[
-            const { Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission") },
-        ]
+        &[VOXELS]
     }
 
     fn writes(&self) -> &[Port] {
@@ -33,11 +31,11 @@ impl PassKind for Emission {
     }
 
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
-        let gathered = pass.resource(&pass.written(), RADIANCE);
+        let gathered = pass.resource(&pass.written(), VOXEL_RADIANCE);
         pass.makes(Bundle::of("emitted", Target::Resource(gathered)));
         // What passes after this one fill: until then both are free.
         let own = pass.borrowed(Sort::RADIANCE);
-        let own = pass.resource(&own, RADIANCE);
+        let own = pass.resource(&own, VOXEL_RADIANCE);
         let volume = pass.borrowed(Sort::VOLUME);
         let Some(volume) = pass.volume(&volume) else { return };
         pass.run("pass/emission").writes("direct", Target::Resource(own)).over(Over::Cells(0));

@@ -1,7 +1,7 @@
 //! A volume from the voxels' radiance.
 
 use super::volume::store_and_mipmap;
-use super::{ParamWords, PassKind, Port, Sort, Values};
+use super::{ParamWords, PassKind, Port, RADIANCE, VOLUME, VOXELS, Values};
 use crate::expansion::Expansion;
 use crate::plan::Target;
 
@@ -19,15 +19,12 @@ impl PassKind for Filter {
     }
 
     fn reads(&self) -> &[Port] {
-        const PORTS: &[Port] = &[
-            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
-            Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance"),
-        ];
+        const PORTS: &[Port] = &[VOXELS, RADIANCE];
         PORTS
     }
 
     fn writes(&self) -> &[Port] {
-        &[const { Port::new("volume", Sort::VOLUME, "filtered radiance and opacity, in the storage format") }]
+        &[VOLUME]
     }
 
     fn words(&self) -> &[ParamWords] {

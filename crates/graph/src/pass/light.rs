@@ -1,6 +1,6 @@
 //! Direct light of voxels.
 
-use super::{ParamWords, PassKind, Port, Sort, Unread, Values};
+use super::{ParamWords, PassKind, Port, RADIANCE, Sort, Unread, VOXELS, Values};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
 use crate::pipeline::{PassEntry, Value};
@@ -11,7 +11,7 @@ use crate::plan::{ResourceKind, Target};
 pub(crate) struct Light;
 
 /// Bytes of a voxel's radiance: four floats.
-pub(crate) const RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
+pub(crate) const VOXEL_RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
 
 impl PassKind for Light {
     fn name(&self) -> &str {
@@ -24,7 +24,7 @@ impl PassKind for Light {
 
     fn reads(&self) -> &[Port] {
         const PORTS: &[Port] = &[
-            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
+            VOXELS,
             Port::optional("shadow_maps", Sort::SHADOW_MAPS, "depth maps, for occlusion"),
             Port::optional("emitted", Sort::RADIANCE, "what voxels reflect of the sky and of emission"),
         ];
@@ -32,7 +32,7 @@ impl PassKind for Light {
     }
 
     fn writes(&self) -> &[Port] {
-        &[const { Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance") }]
+        &[RADIANCE]
     }
 
     fn words(&self) -> &[ParamWords] {
@@ -65,7 +65,7 @@ impl PassKind for Light {
         let occlusion = pass.word("occlusion");
         // Read already, when the lights were chosen.
         pass.word("emission");
-        let radiance = pass.resource(&pass.written(), RADIANCE);
+        let radiance = pass.resource(&pass.written(), VOXEL_RADIANCE);
         let emitted = pass.input("emitted");
         let maps = pass.input("shadow_maps").is_some() && occlusion == Some("shadow_map");
         pass.run("pass/light")

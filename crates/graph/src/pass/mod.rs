@@ -138,6 +138,13 @@ pub struct Idle {
     pub unless: (&'static str, f64),
 }
 
+/// What most kinds of passes over voxels read.
+const VOXELS: Port =
+    Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission");
+const RADIANCE: Port = Port::new("radiance", Sort::RADIANCE, "each voxel's outgoing radiance");
+const VOLUME: Port =
+    Port::new("volume", Sort::VOLUME, "filtered radiance and opacity, in the storage format");
+
 /// A read port that is not looked at.
 #[derive(Clone, Copy, Debug)]
 pub struct Unread {

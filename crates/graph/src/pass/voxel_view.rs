@@ -1,6 +1,6 @@
 //! The voxels of a level, seen.
 
-use super::{ParamWords, PassKind, Port, Sort, Unread, Values};
+use super::{ParamWords, PassKind, Port, Sort, Unread, VOXELS, Values};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over, screen_image, step_params};
 use crate::pipeline::{PassEntry, Value};
@@ -27,7 +27,7 @@ impl PassKind for VoxelView {
 
     fn reads(&self) -> &[Port] {
         const PORTS: &[Port] = &[
-            Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission"),
+            VOXELS,
             Port::optional("volume", Sort::VOLUME, "for the channels `opacity`, `radiance` and `lit`"),
         ];
         PORTS

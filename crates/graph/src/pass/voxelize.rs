@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{ParamWords, PassKind, Port, Sort, Values};
+use super::{ParamWords, PassKind, Port, VOXELS, Values};
 use crate::expansion::{Expansion, LEVEL_RUN_BYTES, Over, Run, groups_for, step_params};
 use crate::grid::Grid;
 use crate::plan::{ResourceKind, Target, Vertices};
@@ -37,8 +37,7 @@ impl PassKind for Voxelize {
     }
 
     fn writes(&self) -> &[Port] {
-        const PORTS: &[Port] =
-            &[Port::new("voxels", Sort::VOXELS, "occupied voxels with reflectance, normal and emission")];
+        const PORTS: &[Port] = &[VOXELS];
         PORTS
     }
 
