@@ -15,7 +15,7 @@ pub struct Pass {
     pub steps: Vec<Step>,
     /// What it depends on beside `inputs`.
     pub sources: Sources,
-    /// Resources, in [`Plan::resources`], of which it uses what earlier passes, or it in an earlier frame, left there.
+    /// Resources, in [`Plan::resources`](super::Plan::resources), of which it uses what earlier passes, or it in an earlier frame, left there.
     pub inputs: Vec<usize>,
     /// Names in the graph of what is in `inputs`, for `explain`.
     pub waits_for: Vec<String>,
@@ -58,9 +58,9 @@ pub enum Update {
 pub struct ParamSlot {
     /// The name in WGSL.
     pub name: String,
-    /// The buffer, in [`Plan::resources`].
+    /// The buffer, in [`Plan::resources`](super::Plan::resources).
     pub resource: usize,
-    /// The shader that says what it takes, in [`Plan::shaders`], and its struct: `Params` or `TraceParams`.
+    /// The shader that says what it takes, in [`Plan::shaders`](super::Plan::shaders), and its struct: `Params` or `TraceParams`.
     pub shader: (usize, &'static str),
     /// Whether the plan left something out for its value: another value needs another plan.
     pub fixed: bool,

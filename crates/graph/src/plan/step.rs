@@ -49,7 +49,7 @@ pub enum Step {
 /// A shader with everything that it is bound to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// In [`Plan::shaders`].
+    /// In [`Plan::shaders`](super::Plan::shaders).
     pub shader: usize,
     /// Entry point of a compute program.
     pub entry: &'static str,
@@ -86,7 +86,7 @@ pub enum Target {
         /// The mip level.
         mip: u32,
     },
-    /// The last value of a resource whose life is [`Life::History`].
+    /// The last value of a resource whose life is [`Life::History`](super::Life::History).
     Last(usize),
     /// A uniform buffer with these bytes, which never change.
     Uniform(Vec<u8>),
