@@ -37,6 +37,8 @@ struct Node {
     outputs: Vec<usize>,
     /// Those outputs that another pass reads as this one leaves them, or that are the result.
     wanted: Vec<usize>,
+    /// Where in `inputs` the runs of voxels are, if an output has a value for each voxel.
+    slots: Option<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -58,10 +60,10 @@ struct Seen {
 
 impl Schedule {
     pub fn new(plan: &Plan) -> Schedule {
-        Schedule::of(&plan.passes, &plan.resources, plan.output)
+        Schedule::of(&plan.passes, &plan.resources, &plan.levels, plan.output)
     }
 
-    fn of(passes: &[Pass], resources: &[Resource], output: usize) -> Schedule {
+    fn of(passes: &[Pass], resources: &[Resource], levels: &[usize], output: usize) -> Schedule {
         let makers = |resource: usize, before: usize| {
             passes[..before].iter().rposition(|pass| pass.outputs.contains(&resource))
         };
@@ -78,12 +80,20 @@ impl Schedule {
             let is_read = inputs.iter().any(|of_pass| of_pass.contains(&made));
             is_read || (resource == output && makers(resource, passes.len()) == Some(index))
         };
+        let is_slotted = |resource: &usize| {
+            matches!(resources[*resource].kind, ResourceKind::PerVoxel(_) | ResourceKind::PerCell(_))
+        };
+        let slots = |index: usize, pass: &Pass| {
+            let runs = inputs[index].iter().position(|(resource, _)| levels.contains(resource));
+            runs.filter(|_| pass.outputs.iter().any(is_slotted))
+        };
         let node = |(index, pass): (usize, &Pass)| Node {
             sources: pass.sources,
             update: pass.update,
             inputs: inputs[index].clone(),
             outputs: pass.outputs.clone(),
             wanted: pass.outputs.iter().copied().filter(|resource| wanted(index, *resource)).collect(),
+            slots: slots(index, pass),
         };
         let now = State {
             runs: vec![0; passes.len()],
@@ -163,6 +173,11 @@ impl Schedule {
                 || sources.camera && then.camera != now.camera
                 || seen.inputs != state.inputs(&self.nodes[index])
         };
+        // What is kept for each voxel is in the order of voxels, which is another once they have moved.
+        let now_inputs = || state.inputs(&self.nodes[index]);
+        if self.nodes[index].slots.is_some_and(|place| seen.inputs[place] != now_inputs()[place]) {
+            return true;
+        }
         match update {
             Update::Changed => has_changed(),
             Update::Every(frames) => self.frame - seen.frame >= u64::from(frames) && has_changed(),

@@ -29,7 +29,8 @@ pub fn package() -> Result<(), String> {
         let file = entry.map_err(|error| at(&packages, &error))?.file_name().to_string_lossy().into_owned();
         let Some(folder) = file.strip_suffix(".crate") else { continue };
         let Some((name, _version)) = folder.rsplit_once('-') else { continue };
-        run(Command::new("tar").args(["-xzf", &file]).current_dir(&packages))?;
+        // The archive's files are all of one date, by which Cargo would take changed ones for those that it compiled.
+        run(Command::new("tar").args(["-xzmf", &file]).current_dir(&packages))?;
         manifest += &format!("{name} = {{ path = \"{folder}\" }}\n");
     }
     let file = packages.join("Cargo.toml");

@@ -31,7 +31,7 @@ fn schedule(passes: &[Pass], count: usize) -> Schedule {
     let resource =
         |index: usize| Resource { name: index.to_string(), kind: ResourceKind::Buffer(4), life: Life::Frame };
     let resources: Vec<Resource> = (0..count).map(resource).collect();
-    let mut schedule = Schedule::of(passes, &resources, count - 1);
+    let mut schedule = Schedule::of(passes, &resources, &[], count - 1);
     assert_eq!(frame(&mut schedule), (0..passes.len()).collect::<Vec<_>>(), "the first frame runs all");
     schedule
 }
@@ -160,6 +160,29 @@ fn an_interval_keeps_what_is_pending() {
     schedule.versions.lights += 1;
     let frames: Vec<_> = (0..5).map(|_| frame(&mut schedule)).collect();
     assert_eq!(frames, [vec![], vec![], vec![0, 1], vec![], vec![]]);
+}
+
+/// A value for each voxel is in the order of voxels: whoever keeps one makes it anew when they have moved, however seldom it
+/// is updated.
+#[test]
+fn what_is_kept_for_each_voxel_follows_the_voxels() {
+    let [levels, lit, image] = [0, 1, 2];
+    let kinds = [ResourceKind::Buffer(32), ResourceKind::PerVoxel(16), ResourceKind::Buffer(4)];
+    let resource = |kind: ResourceKind| Resource { name: String::new(), kind, life: Life::Frame };
+    for update in [Update::Every(100), Update::OnDemand] {
+        let mut passes = [
+            pass(Sources { geometry: true, ..NOTHING }, &[], &[levels]),
+            pass(Sources { lights: true, ..NOTHING }, &[levels], &[lit]),
+            pass(NOTHING, &[lit], &[image]),
+        ];
+        passes[1].update = update;
+        let mut schedule = Schedule::of(&passes, &kinds.clone().map(resource), &[levels], image);
+        frame(&mut schedule);
+        schedule.versions.lights += 1;
+        assert!(frame(&mut schedule).is_empty(), "{update:?}");
+        schedule.versions.geometry += 1;
+        assert_eq!(frame(&mut schedule), [0, 1, 2], "{update:?}");
+    }
 }
 
 #[test]
