@@ -28,6 +28,10 @@ fn from_voxel(p_voxel: vec3f) -> vec3f {
     return grid.min + p_voxel * grid.voxel_size;
 }
 
+fn longest_side() -> f32 {
+    return f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
+}
+
 // One level's run in the list of cells, and the workgroups of 64 that cover it.
 struct LevelRun {
     groups: vec3u,

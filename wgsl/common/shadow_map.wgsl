@@ -4,7 +4,8 @@ import package::common::light::{Light, LIGHT_POINT};
 
 var shadow_maps: texture_depth_2d_array;
 var shadow_sampler: sampler_comparison;
-var<storage, read> shadow_matrices: array<mat4x4f>;
+// One for each layer that a texture can have.
+var<uniform> shadow_matrices: array<mat4x4f, 256>;
 
 fn cube_face(v: vec3f) -> i32 {
     let a = abs(v);

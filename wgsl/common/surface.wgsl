@@ -34,8 +34,8 @@ struct Surface {
     hit: bool,
 }
 
-fn surface_apex(surface: Surface, start: f32) -> Apex {
-    return Apex(surface.position_voxel, surface.normal_geometric, start, 0.0, surface.turn);
+fn surface_apex(surface: Surface) -> Apex {
+    return Apex(surface.position_voxel, surface.normal_geometric, 0.0, surface.turn);
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {

@@ -11,8 +11,6 @@ import package::common::trace::{cone_lobe, reach_of, reach_up_to};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
-    /// Where traces begin: 1 is where the surface's own voxels end, [0, 4].
-    start: f32,
     /// Parts of a light along each of its sides, [1, 4]: a pixel's traces are as wide as one of them, and the pass's
     /// `interleave` takes the mean over all.
     parts: u32,
@@ -31,7 +29,7 @@ fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, param
         reach = reach_up_to(to_voxel(light.position), facing);
     }
     let part = cone_lobe(incidence.direction, half_sine);
-    return 1.0 - trace_opacity(surface_apex(surface, params.start), part, reach, 0.0);
+    return 1.0 - trace_opacity(surface_apex(surface), part, reach, 0.0);
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {

@@ -5,16 +5,10 @@ import package::common::attributes::{voxel_facing, voxel_facings, voxel_surface}
 import package::common::constants::PI;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
-import package::common::trace::{Apex, hemisphere_lobe, reach_of};
+import package::common::trace::{hemisphere_lobe, reach_of, voxel_apex};
 import package::common::turn::turn_at;
 import package::tracer::trace::trace_gather;
 
-struct Params {
-    /// Where traces begin: 1 is where the surface's own voxels end, [0, 4].
-    start: f32,
-}
-
-var<uniform> params: Params;
 // The light that stays from bounce to bounce: direct light and emission.
 var<storage, read> direct: array<vec4f>;
 var<storage, read_write> bounced: array<vec4f>;
@@ -24,9 +18,7 @@ override ADD_DIRECT: bool = true;
 
 // Irradiance on one side of a voxel's surface, W·m⁻².
 fn irradiance(cell: vec3u, normal: vec3f) -> vec3f {
-    // The surface lies up to half of |n|₁ from the voxel's centre.
-    let depth = 0.5 * (abs(normal.x) + abs(normal.y) + abs(normal.z));
-    let apex = Apex(vec3f(cell) + 0.5, normal, params.start, depth, turn_at(cell.xy ^ cell.zz));
+    let apex = voxel_apex(vec3f(cell) + 0.5, normal, turn_at(cell.xy ^ cell.zz));
     return PI * trace_gather(apex, hemisphere_lobe(normal), reach_of(1e30)).radiance;
 }
 

@@ -7,13 +7,16 @@ import package::common::grid::{grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
-import package::common::voxel_ray::ray_blocked;
+import package::common::ray::{Ray, Tangent};
+import package::common::trace::{Apex, voxel_apex};
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::common::turn::turn_at;
+import package::meet::{arrive, leave};
+import package::walk::first_hit;
 
 struct Params {
-    /// How far over a voxel's centre it looks for the light; 1.5 is over every cell of a plane through it.
+    /// How far over a voxel's centre a shadow map is asked; 1.5 is over every cell of a plane through it.
     bias: f32,
     /// Parts of a light along each of its sides, [1, 4]: neighbouring voxels send their rays to different ones.
     parts: u32,
@@ -25,29 +28,25 @@ var<storage, read_write> direct: array<vec4f>;
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
 
-// How far over a plane of this normal the cells that it touches reach, in voxels.
-fn cell_height(normal: vec3f) -> f32 {
-    return abs(normal.x) + abs(normal.y) + abs(normal.z);
-}
-
-fn visibility(light: Light, incidence: Incidence, p_voxel: vec3f, normal: vec3f) -> f32 {
-    let lift = normal * (params.bias * cell_height(normal));
-    let origin = p_voxel + lift;
+fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
-        return shadow_map_visibility(light, from_voxel(origin));
+        return shadow_map_visibility(light, from_voxel(apex.position + apex.normal * (2.0 * params.bias * apex.depth)));
     }
-    var reach = incidence.distance / grid.voxel_size - dot(lift, incidence.direction);
+    let origin = leave(apex);
+    var goal = Tangent(vec3f(0.0), vec3f(0.0));
+    var reach = incidence.distance / grid.voxel_size;
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        // Stops short of the voxels of the light itself.
-        let cosine = dot(light.direction, incidence.direction);
-        let height = abs(dot(to_voxel(light.position) - origin, light.direction));
-        reach = (height - cell_height(light.direction)) / max(abs(cosine), 1e-3);
+        // The voxel may be behind a light of two sides.
+        let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
+        goal = Tangent(to_voxel(light.position), facing);
+        reach = arrive(incidence.direction, origin.point, goal);
     }
-    return select(1.0, 0.0, ray_blocked(origin, incidence.direction, reach));
+    return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal), 0).found);
 }
 
 fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
-    // The surface lies at most half a voxel from the voxel's centre; the centre stands for it.
+    let apex = voxel_apex(p_voxel, normal, turn);
+    // The surface lies at most half of |n|₁ from the voxel's centre; the centre stands for it.
     let position = from_voxel(p_voxel);
     var sum = vec3f(0.0);
     for (var i = 0u; i < environment.light_count; i++) {
@@ -57,7 +56,7 @@ fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
             continue;
         }
         let part = light_part(light, whole, params.parts, turn, position, normal);
-        sum += whole.irradiance * visibility(light, part, p_voxel, normal);
+        sum += whole.irradiance * visibility(light, part, apex);
     }
     return sum;
 }

@@ -4,7 +4,8 @@ import package::common::mesh::vertices;
 import package::common::material::{materials, base_color, HAS_ALPHA_MASK};
 import package::common::step::step_params;
 
-var<storage, read> shadow_matrices: array<mat4x4f>;
+// One for each layer that a texture can have.
+var<uniform> shadow_matrices: array<mat4x4f, 256>;
 
 struct Varyings {
     @builtin(position) clip: vec4f,

@@ -4,12 +4,13 @@ import package::common::dispatch::dispatch_index;
 import package::common::grid::{cell_bit, cell_word};
 import package::common::voxels::level_cell;
 
-var<storage, read_write> attributes: array<u32>;
+var<storage, read_write> sums: array<u32>;
 var<storage, read> static_occupancy: array<u32>;
 var<storage, read> static_ranks: array<u32>;
-var<storage, read> static_attributes: array<u32>;
+var<storage, read> static_sums: array<u32>;
 
-override ATTRIBUTE_STRIDE: u32 = 14;
+// Words of a voxel.
+override STRIDE: u32 = 14;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -22,11 +23,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let bit = 1u << cell_bit(cell);
     let occupied = (static_occupancy[word] & bit) != 0;
     let own = static_ranks[word] + countOneBits(static_occupancy[word] & (bit - 1));
-    for (var i = 0u; i < ATTRIBUTE_STRIDE; i++) {
+    for (var i = 0u; i < STRIDE; i++) {
         var sum = 0u;
         if (occupied) {
-            sum = static_attributes[own * ATTRIBUTE_STRIDE + i];
+            sum = static_sums[own * STRIDE + i];
         }
-        attributes[slot * ATTRIBUTE_STRIDE + i] = sum;
+        sums[slot * STRIDE + i] = sum;
     }
 }

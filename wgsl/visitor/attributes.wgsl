@@ -1,4 +1,4 @@
-// What is done with each voxel that a triangle overlaps: the triangle's reflectance, normal and emission are added to
+// What is done with each voxel that a triangle overlaps: the triangle's reflectance, normal, emission and plane are added to
 // the voxel's slot. Sums are fixed-point integers: the same bits whatever the order.
 
 import package::common::clipped_area::clipped_area;
@@ -7,13 +7,17 @@ import package::common::grid::grid;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
 import package::common::reflectance::total_reflectance;
-import package::common::triangle_box::unswizzle;
+import package::common::triangle_box::{swizzle, unswizzle};
 import package::common::voxels::{is_occupied, voxel_slot};
 
 var<storage, read_write> attributes: array<atomic<u32>>;
+// See pass/planes.wgsl.
+var<storage, read_write> plane_sums: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
+override PLANE_STRIDE: u32 = 13;
 override HAS_COVERAGE: bool = false;
+override HAS_PLANE_SUMS: bool = false;
 
 struct Visitor {
     axis: u32,
@@ -34,6 +38,31 @@ fn add(word: u32, value: f32) {
     if (units != 0) {
         atomicAdd(&attributes[word], units);
     }
+}
+
+// The triangle's plane in the voxel: a height over the voxel's centre along the axis that the triangle faces most, and its slopes
+// along the other two.
+fn add_plane(visitor: Visitor, cell: vec3u, slot: u32) {
+    let v = visitor.corners.v;
+    let normal = cross(v[1] - v[0], v[2] - v[1]);
+    let axis = visitor.axis;
+    let n = swizzle(normal, axis);
+    if (n.z == 0.0) {
+        return;
+    }
+    let corner = swizzle(v[0] - (vec3f(cell) + 0.5), axis);
+    let slope = clamp(-n.xy / n.z, vec2f(-1.0), vec2f(1.0));
+    let height = clamp(corner.z - dot(slope, corner.xy), -1.5, 1.5);
+    let first = slot * PLANE_STRIDE + 4 * axis;
+    let units = u32(round(visitor.weight * grid.attribute_scale));
+    let share = vec3f(height / 3.0 + 0.5, 0.5 * slope + 0.5);
+    let sums = vec3u(round(f32(units) * share));
+    atomicAdd(&plane_sums[first], units);
+    atomicAdd(&plane_sums[first + 1], sums.x);
+    atomicAdd(&plane_sums[first + 2], sums.y);
+    atomicAdd(&plane_sums[first + 3], sums.z);
+    let shown = select(select(2u, 1u, n.z > 0.0), 3u, visitor.material.double_sided != 0);
+    atomicOr(&plane_sums[slot * PLANE_STRIDE + 12], shown << (2 * axis));
 }
 
 fn add_vector(first: u32, value: vec3f) {
@@ -72,7 +101,11 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     }
     let weight = visitor.weight;
     let metallic = roughness_metallic(material, f.uv, f.lod).y;
-    let first = voxel_slot(cell) * ATTRIBUTE_STRIDE;
+    let slot = voxel_slot(cell);
+    if (HAS_PLANE_SUMS) {
+        add_plane(visitor, cell, slot);
+    }
+    let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
     add_reflectance(first + 2, saturate(total_reflectance(color.rgb, metallic)), weight);

@@ -123,12 +123,13 @@ impl Written {
         Ok(Written { buffer: host.buffer_with(label, bytes, usage)?, bytes: bytes.to_vec() })
     }
 
-    /// Writes as many bytes as there are, if they differ; whether they do.
+    /// Writes the first bytes, if they differ; whether they do. At most as many as there were.
     pub fn write(&mut self, host: &mut Host, bytes: &[u8]) -> bool {
-        let differs = self.bytes != bytes;
+        let known = &mut self.bytes[..bytes.len()];
+        let differs = known != bytes;
         if differs {
             host.write(&self.buffer, 0, bytes);
-            self.bytes.copy_from_slice(bytes);
+            known.copy_from_slice(bytes);
         }
         differs
     }

@@ -80,8 +80,8 @@ impl SceneObjects {
             shadow_matrices: Written::new(
                 host,
                 "shadow_matrices",
-                bytemuck::cast_slice(&lights.matrices),
-                storage,
+                bytemuck::cast_slice(&light::padded(&lights.matrices)),
+                uniform,
             )?,
             still,
             instances: scene.instances.clone(),

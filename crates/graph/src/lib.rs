@@ -44,5 +44,5 @@ pub use planner::{Request, plan};
 pub use probe::{ProbeSize, probe};
 pub use registry::Registry;
 pub use shown::{Reference, Shows};
-pub use tracer::{CONES, Tracer, Tracers};
+pub use tracer::{CONES, RAYS, Tracer, Tracers};
 pub use variant::check_variant;

@@ -29,6 +29,14 @@ pub const CONES: Tracer = Tracer {
     reads: &[Sort::VOLUME],
 };
 
+/// Rays through the bitmask (VGI §4).
+pub const RAYS: Tracer = Tracer {
+    name: "rays",
+    summary: "rays through the occupancy bitmask to the first surface, whose own voxel says what it sends",
+    modules: "tracer/rays",
+    reads: &[Sort::VOXELS, Sort::VOLUME],
+};
+
 /// The tracers to choose from.
 #[derive(Clone, Debug)]
 pub struct Tracers(Vec<Tracer>);
@@ -36,7 +44,7 @@ pub struct Tracers(Vec<Tracer>);
 impl Tracers {
     /// The tracers that come with Voxlume; the first is the default.
     pub fn builtin() -> Tracers {
-        Tracers(vec![CONES])
+        Tracers(vec![CONES, RAYS])
     }
 
     /// Adds a tracer; one of the same name gives way.

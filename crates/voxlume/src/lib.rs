@@ -111,7 +111,7 @@
 //! |---|---|
 //! | [`Tracers`] | The tracers to choose from; others are added to the built-in ones. |
 //! | [`Tracer`] | A way to find what lies in a direction: its WGSL modules and what it looks at. |
-//! | [`CONES`] | The tracer that comes with Voxlume. |
+//! | [`CONES`], [`RAYS`] | The tracers that come with Voxlume. |
 //!
 //! # Devices and frames
 //! | name | what it is |
@@ -179,9 +179,9 @@ pub use voxlume_format::{
 pub use voxlume_graph::{
     Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,
     Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind,
-    Pipeline, Plan, Port, ProbeSize, Program, Reference, Registry, Request, Resource, ResourceKind, Run,
-    SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value, Values,
-    Vertices, check_variant, explain, plan, probe, screen_image,
+    Pipeline, Plan, Port, ProbeSize, Program, RAYS, Reference, Registry, Request, Resource, ResourceKind,
+    Run, SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value,
+    Values, Vertices, check_variant, explain, plan, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -32,19 +32,19 @@ fn filter_reach(normal: vec3f) -> f32 {
 
 // A cone begins as far over its surface as the filter at level 0 reaches, times `start`, and ends before the filter
 // finds the surface that it runs up to.
-fn cone_of(apex: Apex, direction: vec3f, half_sine: f32, reach: Reach) -> Cone {
+fn cone_of(apex: Apex, start: f32, direction: vec3f, half_sine: f32, reach: Reach) -> Cone {
     let lift = filter_reach(apex.normal);
     let growth = max(dot(apex.normal, direction), 0.0) / lift;
-    let origin = apex.position + apex.normal * (lift * apex.start);
+    let origin = apex.position + apex.normal * (lift * start);
     if (all(reach.normal == vec3f(0.0))) {
         // In this order: where the end of a loop is a uniform less something, Mesa 22.3's software device crashes.
-        let end = -lift * apex.start + reach.distance;
-        return Cone(origin, direction, half_sine, end, apex.start, growth, 1.0);
+        let end = -lift * start + reach.distance;
+        return Cone(origin, direction, half_sine, end, start, growth, 1.0);
     }
     let end_lift = filter_reach(reach.normal);
     let cosine = max(-dot(reach.normal, direction), 1e-4);
     let end = (dot(origin - reach.point, reach.normal) - end_lift) / cosine;
-    return Cone(origin, direction, half_sine, end, apex.start, growth, cosine / end_lift);
+    return Cone(origin, direction, half_sine, end, start, growth, cosine / end_lift);
 }
 
 // The widest level, whole, whose linear filter neither reaches back to the surface left nor on to the end.

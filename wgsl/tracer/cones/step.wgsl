@@ -8,6 +8,8 @@ struct TraceParams {
     stepper: u32,
     /// Step over cell size, of the tangent spheres, (0, 1]; 1 unless given.
     step: f32,
+    /// Where cones begin: 1 is where the filter no longer finds the own surface, [0, 4]; 1 unless given.
+    start: f32,
     /// Cones around the axis of a hemisphere, [1, 8]; 5 unless given. Fewer stand for the ring of five, and neighbours turn
     /// them differently.
     ring: u32,

@@ -34,16 +34,16 @@ fn cone_weight(lobe: Lobe, index: u32) -> f32 {
 
 fn lobe_cone(apex: Apex, lobe: Lobe, reach: Reach, index: u32) -> Cone {
     if (lobe.shape == LOBE_CONE) {
-        return cone_of(apex, lobe.axis, lobe.width, reach);
+        return cone_of(apex, trace_params.start, lobe.axis, lobe.width, reach);
     }
     if (lobe.shape == LOBE_GGX) {
-        return cone_of(apex, reflect(-lobe.view, lobe.axis), ggx_half_sine(lobe.width), reach);
+        return cone_of(apex, trace_params.start, reflect(-lobe.view, lobe.axis), ggx_half_sine(lobe.width), reach);
     }
     // A hemisphere keeps clear of the plane that it stands on, be that the surface's own or that of its shading.
     var upright = apex;
     upright.normal = lobe.axis;
     let direction = basis_around(lobe.axis) * diffuse_direction(hemisphere_cones(apex.turn), index);
-    return cone_of(upright, direction, DIFFUSE_HALF_SINE, reach);
+    return cone_of(upright, trace_params.start, direction, DIFFUSE_HALF_SINE, reach);
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {

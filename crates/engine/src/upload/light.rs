@@ -26,7 +26,7 @@ const POINT: u32 = 1;
 const SPOT: u32 = 2;
 const AREA: u32 = 3;
 
-/// The lights, and a matrix for each shadow map's layer. At least one of each, as buffers can't be empty.
+/// The lights, at least one, as buffers can't be empty; and a matrix for each shadow map's layer.
 pub(crate) struct Lights {
     pub count: u32,
     pub lights: Vec<Light>,
@@ -48,8 +48,14 @@ pub(crate) fn lights(scene: &Scene, plan: &Plan, facts: &SceneFacts) -> Lights {
     }
     let count = list.len() as u32;
     list.resize(list.len().max(1), Light::zeroed());
-    matrices.resize(matrices.len().max(1), Mat4::IDENTITY);
     Lights { count, lights: list, matrices }
+}
+
+/// As many matrices as wgsl/common/shadow_map.wgsl has: one for each layer that a texture can have.
+pub(crate) fn padded(matrices: &[Mat4]) -> Vec<Mat4> {
+    let mut all = matrices.to_vec();
+    all.resize(256.max(matrices.len()), Mat4::IDENTITY);
+    all
 }
 
 fn punctual(light: &SceneLight, plan: &Plan, shadow_layer: i32) -> Light {

@@ -1,7 +1,7 @@
 //! What a kind of pass asks of an entry, its parameters and the scene.
 
 use crate::bundle::Bundle;
-use crate::expansion::Expansion;
+use crate::expansion::{Context, Expansion};
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::pass::Sort;
@@ -132,6 +132,13 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// What a shader variable stands for in this pass.
     pub fn variable(&self, name: &str) -> Option<Target> {
         self.bundles().find_map(|bundle| bundle.part(name)).cloned()
+    }
+
+    /// Whether a pass that is planned has a tracer that walks voxels.
+    pub fn is_walked(&self) -> bool {
+        let Context { pipeline, tracers, live, .. } = &*self.context;
+        let mut planned = pipeline.passes.iter().filter(|entry| live.contains(&entry.name));
+        planned.any(|entry| tracers.of(pipeline, entry).reads.contains(&Sort::VOXELS))
     }
 
     /// A name in the graph whose resources this pass may use before the pass that fills them: that of the first of this

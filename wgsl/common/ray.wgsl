@@ -1,0 +1,41 @@
+// A ray through the voxels, and what it meets first. Lengths are voxels of level 0.
+
+// A surface that a ray leaves or runs up to: a point on it, and its unit normal. Without one the normal is zero.
+struct Tangent {
+    point: vec3f,
+    normal: vec3f,
+}
+
+struct Ray {
+    origin: vec3f,
+    // Unit.
+    direction: vec3f,
+    // Along the direction; what lies farther is not met.
+    reach: f32,
+    // Surfaces that are not met: the one left, and the one run up to.
+    left: Tangent,
+    goal: Tangent,
+}
+
+struct RayHit {
+    found: bool,
+    // Along the ray.
+    distance: f32,
+    cell: vec3u,
+    // Of the surface met, or of the cell's face, towards where the ray comes from; not unit.
+    normal: vec3f,
+    // Whether the side met is one that the surface shows.
+    shown: bool,
+}
+
+// Where a ray goes into and out of a cell, along it; `normal` is that of the face, towards where it comes from.
+struct Passage {
+    enter: f32,
+    leave: f32,
+    normal: vec3f,
+}
+
+fn ray_between(origin: vec3f, direction: vec3f, reach: f32) -> Ray {
+    let none = Tangent(vec3f(0.0), vec3f(0.0));
+    return Ray(origin, direction, reach, none, none);
+}

@@ -1,0 +1,62 @@
+// Directions in a lobe. The sets that neighbours share out (see `Apex.turn`) are runs of one sequence, so that each is spread
+// evenly, and all of them together are.
+
+import package::common::basis::basis_around;
+import package::common::constants::TAU;
+import package::common::trace::{LOBE_CONE, LOBE_GGX, Lobe};
+
+struct TraceParams {
+    /// Rays of a trace, [1, 256]; 4 unless given.
+    rays: u32,
+}
+
+var<uniform> trace_params: TraceParams;
+
+// Sets in turns of [0, 1).
+const SETS = 16.0;
+
+// Of Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018): multiples of the powers of one over
+// the plastic number, modulo 1.
+fn sequence(index: u32) -> vec2f {
+    return fract(0.5 + f32(index) * vec2f(0.75487767, 0.56984029));
+}
+
+// Cosine-weighted about +z: the disc below it, evenly (Malley).
+fn cosine_direction(u: vec2f) -> vec3f {
+    let radius = sqrt(u.x);
+    return vec3f(radius * cos(TAU * u.y), radius * sin(TAU * u.y), sqrt(max(1.0 - u.x, 0.0)));
+}
+
+// All directions within a cone about +z alike.
+fn cone_direction(u: vec2f, half_sine: f32) -> vec3f {
+    let low = sqrt(max(1.0 - half_sine * half_sine, 0.0));
+    let z = 1.0 - u.x * (1.0 - low);
+    let radius = sqrt(max(1.0 - z * z, 0.0));
+    return vec3f(radius * cos(TAU * u.y), radius * sin(TAU * u.y), z);
+}
+
+// Of the microfacets that a viewer along `view` sees, about +z (Heitz, "Sampling the GGX Distribution of Visible Normals",
+// JCGT 7(4), 2018).
+fn visible_normal(u: vec2f, view: vec3f, alpha: f32) -> vec3f {
+    let v = normalize(vec3f(alpha * view.xy, view.z));
+    let across = select(vec3f(1.0, 0.0, 0.0), vec3f(-v.y, v.x, 0.0) * inverseSqrt(dot(v.xy, v.xy)), dot(v.xy, v.xy) > 1e-12);
+    let radius = sqrt(u.x);
+    let x = radius * cos(TAU * u.y);
+    let y = mix(sqrt(max(1.0 - x * x, 0.0)), radius * sin(TAU * u.y), 0.5 * (1.0 + v.z));
+    let n = x * across + y * cross(v, across) + sqrt(max(1.0 - x * x - y * y, 0.0)) * v;
+    return normalize(vec3f(alpha * n.xy, max(n.z, 1e-6)));
+}
+
+// Direction number `index` of a set's, unit.
+fn lobe_direction(lobe: Lobe, index: u32, turn: f32) -> vec3f {
+    let u = sequence(u32(turn * SETS) * trace_params.rays + index);
+    let basis = basis_around(lobe.axis);
+    if (lobe.shape == LOBE_CONE) {
+        return basis * cone_direction(u, lobe.width);
+    }
+    if (lobe.shape == LOBE_GGX) {
+        let facet = basis * visible_normal(u, lobe.view * basis, lobe.width * lobe.width);
+        return reflect(-lobe.view, facet);
+    }
+    return basis * cosine_direction(u);
+}

@@ -1,0 +1,75 @@
+// A ray through the occupancy bitmask: cells of every second level by whole numbers (Amanatides and Woo, "A Fast Voxel
+// Traversal Algorithm", 1987), down where a cell is occupied and up again where the ray leaves the coarser cell. Where all
+// of a word is empty, the ray passes its whole brick.
+
+import package::common::grid::{BRICK_SHIFT, cell_bit, cell_word, grid, level_size};
+import package::common::ray::{Passage, Ray, RayHit};
+import package::common::voxels::occupancy;
+import package::meet::meets;
+
+// Levels between those that a ray looks at: a word's brick is then as large as two cells of the next.
+const STRIDE = 2u;
+// The coarsest that it looks at.
+const TOP = 4u;
+
+// The first cell of `finest` or, where that is 0, the first surface in one.
+fn first_hit(ray: Ray, finest: u32) -> RayHit {
+    var hit: RayHit;
+    hit.distance = ray.reach;
+    let size = vec3i(level_size(finest));
+    let scale = exp2(f32(finest));
+    // A finite slope for every axis: an axis-parallel ray never leaves sideways.
+    let slope = select(ray.direction, vec3f(1e-12), abs(ray.direction) < vec3f(1e-12)) / scale;
+    let origin = ray.origin / scale;
+    let inverse = 1.0 / slope;
+    let forwards = slope > vec3f(0.0);
+    let to_low = -origin * inverse;
+    let to_high = (vec3f(size) - origin) * inverse;
+    let enters = min(to_low, to_high);
+    let leaves = max(to_low, to_high);
+    let enter = max(enters.x, max(enters.y, enters.z));
+    if (max(enter, 0.0) >= min(ray.reach, min(leaves.x, min(leaves.y, leaves.z)))) {
+        return hit;
+    }
+    let against = select(vec3f(1.0), vec3f(-1.0), forwards);
+    var passage = Passage(max(enter, 0.0), 0.0, -ray.direction);
+    if (enter > 0.0) {
+        passage.normal = select(vec3f(0.0), against, enters == vec3f(enter));
+    }
+    var cell = clamp(vec3i(floor(origin + passage.enter * slope)), vec3i(0), size - 1);
+    let top = min(TOP, (grid.level_count - 1 - finest) & ~1u);
+    var level = top;
+    // A straight line meets at most the sum of the grid's sides; for each cell it goes down and up at most once.
+    let most = 2u * (grid.size.x + grid.size.y + grid.size.z) + 8u;
+    for (var i = 0u; i < most; i++) {
+        let here = vec3u(cell) >> vec3u(level);
+        let word = occupancy[cell_word(here, level + finest)];
+        let occupied = ((word >> cell_bit(here)) & 1) != 0;
+        if (occupied && level > 0) {
+            level -= STRIDE;
+            continue;
+        }
+        // The box that the ray passes: a cell, or a brick of empty ones.
+        let shift = vec3u(level) + select(vec3u(0), BRICK_SHIFT, word == 0);
+        let low = vec3i((vec3u(cell) >> shift) << shift);
+        let high = low + (vec3i(1) << shift);
+        let exits = (vec3f(select(low, high, forwards)) - origin) * inverse;
+        passage.leave = min(exits.x, min(exits.y, exits.z));
+        if (occupied && meets(ray, vec3u(cell), passage, &hit)) {
+            return hit;
+        }
+        let along = exits == vec3f(passage.leave);
+        let beside = clamp(vec3i(floor(origin + passage.leave * slope)), low, high - 1);
+        let next = select(beside, select(low - 1, high, forwards), along);
+        if (passage.leave >= ray.reach || any(next < vec3i(0)) || any(next >= size)) {
+            return hit;
+        }
+        // Up where the coarser cell is left.
+        let up = min(level + STRIDE, top);
+        level = select(level, up, any((next >> vec3u(up)) != (cell >> vec3u(up))));
+        cell = next;
+        passage.enter = passage.leave;
+        passage.normal = select(vec3f(0.0), against, along);
+    }
+    return hit;
+}
