@@ -62,25 +62,3 @@ fn voxel_surface(slot: u32) -> VoxelSurface {
     }
     return s;
 }
-
-// The directions that a voxel's surfaces face. Where opposite surfaces cancel, all six along the axes stand for a sixth of
-// them each.
-struct VoxelFacings {
-    // How many directions there are, opposite ones not counted.
-    count: u32,
-    // One over the share of the voxel's surfaces that each stands for.
-    divisor: f32,
-    // How much of each the opposite direction counts.
-    opposite: f32,
-}
-
-fn voxel_facings(surface: VoxelSurface) -> VoxelFacings {
-    if (any(surface.normal != vec3f(0.0))) {
-        return VoxelFacings(1, 1.0, surface.double_sided);
-    }
-    return VoxelFacings(3, 6.0, 1.0);
-}
-
-fn voxel_facing(surface: VoxelSurface, facings: VoxelFacings, index: u32) -> vec3f {
-    return select(vec3f(vec3u(index) == vec3u(0, 1, 2)), surface.normal, facings.count == 1);
-}

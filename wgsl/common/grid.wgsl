@@ -28,6 +28,11 @@ fn from_voxel(p_voxel: vec3f) -> vec3f {
     return grid.min + p_voxel * grid.voxel_size;
 }
 
+// How far over a plane of this normal the cells that it touches reach, in voxels.
+fn cell_height(normal: vec3f) -> f32 {
+    return abs(normal.x) + abs(normal.y) + abs(normal.z);
+}
+
 fn longest_side() -> f32 {
     return f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
 }

@@ -1,5 +1,7 @@
 // What every tracer is asked, and what it answers. Lengths are voxels of level 0.
 
+import package::common::grid::cell_height;
+
 // Where a trace starts: on a surface, whose own voxels it must leave.
 struct Apex {
     position: vec3f,
@@ -14,7 +16,7 @@ struct Apex {
 // An apex on the surface in a voxel, somewhere about its centre.
 fn voxel_apex(centre: vec3f, normal: vec3f, turn: f32) -> Apex {
     // The surface lies up to half of |n|₁ from there.
-    return Apex(centre, normal, 0.5 * (abs(normal.x) + abs(normal.y) + abs(normal.z)), turn);
+    return Apex(centre, normal, 0.5 * cell_height(normal), turn);
 }
 
 // The directions that a trace covers, and the weight of each. What comes of them is a mean over the lobe.

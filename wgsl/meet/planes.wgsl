@@ -1,12 +1,13 @@
 // What a ray meets in an occupied cell: the planes of the cell's surfaces, as far as they lie in it.
 
-import package::common::grid::to_voxel;
-import package::common::plane::{plane_normal, unpack_plane};
+import package::common::attributes::VoxelSurface;
+import package::common::plane::{ALL_SQUARES, FRONT_HIGH, FRONT_LOW, SHOWS_HIGH, SHOWS_LOW, middle_of, plane_normal, square_at, unpack_plane};
 import package::common::ray::{Passage, Ray, RayHit, Tangent};
-import package::common::trace::Apex;
+import package::common::side::Side;
+import package::common::trace::{Apex, voxel_apex};
 import package::common::voxels::{is_occupied, voxel_slot};
 
-var<storage, read> planes: array<u32>;
+var<storage, read> planes: array<vec2u>;
 
 // How far over its surface a ray begins: more than rounding takes, less than anything that touches the surface.
 const LIFT = 0.05;
@@ -30,28 +31,25 @@ fn meets(ray: Ray, cell: vec3u, passage: Passage, hit: ptr<function, RayHit>) ->
     let centre = vec3f(cell) + 0.5;
     let origin = ray.origin - centre;
     var nearest = ray.reach;
-    var words = vec3u(planes[first], planes[first + 1], planes[first + 2]);
-    if (all(words == vec3u(0))) {
-        // Too little of a surface for a plane: all of the cell.
-        *hit = RayHit(true, passage.enter, cell, passage.normal, true);
-        return true;
-    }
+    var any_plane = false;
     for (var axis = 0u; axis < 3; axis++) {
-        let word = words[axis];
-        if (word == 0) {
+        let words = planes[first + axis];
+        if (words.y == 0) {
             continue;
         }
-        let plane = unpack_plane(word);
+        any_plane = true;
+        let plane = unpack_plane(words);
         let normal = plane_normal(plane, axis);
         let towards = dot(normal, ray.direction);
         let t = (plane.height - dot(normal, origin)) / towards;
-        if (!(t > 0.0 && t < nearest) || any(abs(origin + t * ray.direction) > vec3f(0.5 + OVERLAP))) {
+        let at = origin + t * ray.direction;
+        if (!(t > 0.0 && t < nearest) || any(abs(at) > vec3f(0.5 + OVERLAP)) || (words.y & square_at(at, axis)) == 0) {
             continue;
         }
         let of_left = t < NEAR && is_of(normal, centre, plane.height, ray.left);
         let of_goal = ray.reach - t < NEAR && is_of(normal, centre, plane.height, ray.goal);
         // Where a mean plane lies over the surface itself, a ray begins behind it, and leaves by its back.
-        let shown = select(plane.shown.y, plane.shown.x, towards < 0.0);
+        let shown = (words.y & select(SHOWS_LOW, SHOWS_HIGH, towards < 0.0)) != 0;
         let behind = !shown && t < 1.0;
         if (of_left || of_goal || behind) {
             continue;
@@ -59,35 +57,38 @@ fn meets(ray: Ray, cell: vec3u, passage: Passage, hit: ptr<function, RayHit>) ->
         nearest = t;
         *hit = RayHit(true, t, cell, select(normal, -normal, towards > 0.0), shown);
     }
-    return nearest < ray.reach;
+    if (!any_plane) {
+        // Too little of a surface for a plane: all of the cell.
+        *hit = RayHit(true, passage.enter, cell, passage.normal, true);
+    }
+    return nearest < ray.reach || !any_plane;
 }
 
-// Rays begin just over the surface. An apex in the middle of a voxel is first moved before all the planes of the voxel that
-// look its way.
+// Rays begin just over the surface.
 fn leave(apex: Apex) -> Tangent {
-    var point = apex.position;
-    if (apex.depth > 0.0) {
-        let cell = vec3u(point);
-        let centre = vec3f(cell) + 0.5;
-        let first = 3 * voxel_slot(cell);
-        for (var axis = 0u; axis < 3; axis++) {
-            let word = planes[first + axis];
-            let plane = unpack_plane(word);
-            let up = plane_normal(plane, axis);
-            let facing = dot(up, apex.normal);
-            let shown = select(plane.shown.y, plane.shown.x, facing > 0.0);
-            let over = (dot(up, point - centre) - plane.height) * sign(facing);
-            // One plane that looks along the normal, or several that look aslant.
-            if (word != 0 && shown && abs(facing) > 0.3 && (abs(facing) > 0.9 || over < 0.0)) {
-                point -= up * (sign(facing) * over / dot(up, up));
-            }
-        }
-    }
-    return Tangent(point + LIFT * apex.normal, apex.normal);
+    return Tangent(apex.position + (apex.depth + LIFT) * apex.normal, apex.normal);
 }
 
 // A surface run up to ends a ray just before it.
 fn arrive(direction: vec3f, origin: vec3f, goal: Tangent) -> f32 {
     let cosine = max(-dot(goal.normal, direction), 1e-3);
     return (dot(origin - goal.point, goal.normal) - LIFT) / cosine;
+}
+
+// The fronts of a voxel's planes, each at the middle of what is there of it, by their areas.
+fn side(cell: vec3u, slot: u32, surface: VoxelSurface, index: u32, turn: f32) -> Side {
+    let centre = vec3f(cell) + 0.5;
+    let axis = index / 2;
+    let words = planes[3 * slot + axis];
+    if (planes[3 * slot].y == 0 && planes[3 * slot + 1].y == 0 && planes[3 * slot + 2].y == 0) {
+        return Side(voxel_apex(centre, surface.normal, turn), select(0.0, 1.0, index == 0), surface.double_sided);
+    }
+    let plane = unpack_plane(words);
+    let up = plane_normal(plane, axis);
+    let high = (index & 1) == 0;
+    let normal = normalize(select(-up, up, high));
+    let there = (words.y & select(FRONT_LOW, FRONT_HIGH, high)) != 0;
+    let area = select(0.0, f32(countOneBits(words.y & ALL_SQUARES)) * length(up), there);
+    let back = (words.y & select(SHOWS_HIGH, SHOWS_LOW, high)) != 0 && (words.y & select(FRONT_HIGH, FRONT_LOW, high)) == 0;
+    return Side(Apex(centre + middle_of(plane, axis), normal, 0.0, turn), area, select(0.0, 1.0, back));
 }

@@ -1,18 +1,19 @@
 // Direct light on every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
 
-import package::common::attributes::{voxel_facing, voxel_facings, voxel_surface};
+import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
 import package::common::environment::environment;
-import package::common::grid::{grid, from_voxel, to_voxel};
+import package::common::grid::{cell_height, grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::ray::{Ray, Tangent};
-import package::common::trace::{Apex, voxel_apex};
+import package::common::side::SIDES;
+import package::common::trace::Apex;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::common::turn::turn_at;
-import package::meet::{arrive, leave};
+import package::meet::{arrive, leave, side};
 import package::walk::first_hit;
 
 struct Params {
@@ -30,7 +31,7 @@ override USE_SHADOW_MAP: bool = true;
 
 fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
     if (USE_SHADOW_MAP && light.shadow_layer >= 0) {
-        return shadow_map_visibility(light, from_voxel(apex.position + apex.normal * (2.0 * params.bias * apex.depth)));
+        return shadow_map_visibility(light, from_voxel(apex.position + apex.normal * (params.bias * cell_height(apex.normal))));
     }
     let origin = leave(apex);
     var goal = Tangent(vec3f(0.0), vec3f(0.0));
@@ -44,18 +45,16 @@ fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
     return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal), 0).found);
 }
 
-fn irradiance(p_voxel: vec3f, normal: vec3f, turn: f32) -> vec3f {
-    let apex = voxel_apex(p_voxel, normal, turn);
-    // The surface lies at most half of |n|₁ from the voxel's centre; the centre stands for it.
-    let position = from_voxel(p_voxel);
+fn irradiance(apex: Apex) -> vec3f {
+    let position = from_voxel(apex.position);
     var sum = vec3f(0.0);
     for (var i = 0u; i < environment.light_count; i++) {
         let light = lights[i];
-        let whole = light_incidence(light, position, normal);
+        let whole = light_incidence(light, position, apex.normal);
         if (all(whole.irradiance <= vec3f(0.0))) {
             continue;
         }
-        let part = light_part(light, whole, params.parts, turn, position, normal);
+        let part = light_part(light, whole, params.parts, apex.turn, position, apex.normal);
         sum += whole.irradiance * visibility(light, part, apex);
     }
     return sum;
@@ -69,18 +68,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let surface = voxel_surface(slot);
-    let p_voxel = vec3f(cell) + 0.5;
     let turn = turn_at(cell.xy ^ cell.zz);
-    let facings = voxel_facings(surface);
-    var arriving = vec3f(0.0);
-    for (var i = 0u; i < facings.count; i++) {
-        let normal = voxel_facing(surface, facings, i);
-        var both = irradiance(p_voxel, normal, turn);
-        if (facings.opposite > 0.0) {
-            // One value stands for both sides: what arrives at either.
-            both += facings.opposite * irradiance(p_voxel, -normal, turn);
+    var arriving = vec4f(0.0);
+    for (var i = 0u; i < SIDES; i++) {
+        var of_side = side(cell, slot, surface, i, turn);
+        if (of_side.share <= 0.0) {
+            continue;
         }
-        arriving += both / facings.divisor;
+        var both = irradiance(of_side.apex);
+        if (of_side.opposite > 0.0) {
+            // One value stands for both sides: what arrives at either.
+            of_side.apex.normal = -of_side.apex.normal;
+            both += of_side.opposite * irradiance(of_side.apex);
+        }
+        arriving += of_side.share * vec4f(both, 1.0);
     }
-    direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving, 1.0);
+    direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving.rgb / max(arriving.a, 1e-6), 1.0);
 }

@@ -6,6 +6,7 @@ import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average
 import package::common::grid::grid;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
+import package::common::plane::{FRONT_HIGH, FRONT_LOW, SHOWS_HIGH, SHOWS_LOW, covered_squares};
 import package::common::reflectance::total_reflectance;
 import package::common::triangle_box::{swizzle, unswizzle};
 import package::common::voxels::{is_occupied, voxel_slot};
@@ -15,7 +16,7 @@ var<storage, read_write> attributes: array<atomic<u32>>;
 var<storage, read_write> plane_sums: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
-override PLANE_STRIDE: u32 = 13;
+override PLANE_STRIDE: u32 = 15;
 override HAS_COVERAGE: bool = false;
 override HAS_PLANE_SUMS: bool = false;
 
@@ -40,29 +41,28 @@ fn add(word: u32, value: f32) {
     }
 }
 
-// The triangle's plane in the voxel: a height over the voxel's centre along the axis that the triangle faces most, and its slopes
-// along the other two.
+// The triangle's plane in the voxel, and how much of it is there.
 fn add_plane(visitor: Visitor, cell: vec3u, slot: u32) {
-    let v = visitor.corners.v;
-    let normal = cross(v[1] - v[0], v[2] - v[1]);
     let axis = visitor.axis;
-    let n = swizzle(normal, axis);
+    let centre = vec3f(cell) + 0.5;
+    let v = array(swizzle(visitor.corners.v[0] - centre, axis), swizzle(visitor.corners.v[1] - centre, axis),
+        swizzle(visitor.corners.v[2] - centre, axis));
+    let n = cross(v[1] - v[0], v[2] - v[1]);
     if (n.z == 0.0) {
         return;
     }
-    let corner = swizzle(v[0] - (vec3f(cell) + 0.5), axis);
     let slope = clamp(-n.xy / n.z, vec2f(-1.0), vec2f(1.0));
-    let height = clamp(corner.z - dot(slope, corner.xy), -1.5, 1.5);
-    let first = slot * PLANE_STRIDE + 4 * axis;
+    let height = clamp(v[0].z - dot(slope, v[0].xy), -1.5, 1.5);
+    let first = slot * PLANE_STRIDE + 5 * axis;
     let units = u32(round(visitor.weight * grid.attribute_scale));
-    let share = vec3f(height / 3.0 + 0.5, 0.5 * slope + 0.5);
-    let sums = vec3u(round(f32(units) * share));
+    let sums = vec3u(round(f32(units) * vec3f(height / 3.0 + 0.5, 0.5 * slope + 0.5)));
     atomicAdd(&plane_sums[first], units);
     atomicAdd(&plane_sums[first + 1], sums.x);
     atomicAdd(&plane_sums[first + 2], sums.y);
     atomicAdd(&plane_sums[first + 3], sums.z);
-    let shown = select(select(2u, 1u, n.z > 0.0), 3u, visitor.material.double_sided != 0);
-    atomicOr(&plane_sums[slot * PLANE_STRIDE + 12], shown << (2 * axis));
+    let front = select(FRONT_LOW | SHOWS_LOW, FRONT_HIGH | SHOWS_HIGH, n.z > 0.0);
+    let shown = select(front, front | SHOWS_LOW | SHOWS_HIGH, visitor.material.double_sided != 0);
+    atomicOr(&plane_sums[first + 4], shown | covered_squares(array(v[0].xy, v[1].xy, v[2].xy), n.z));
 }
 
 fn add_vector(first: u32, value: vec3f) {

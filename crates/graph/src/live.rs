@@ -65,7 +65,7 @@ pub(crate) fn live(pipeline: &Pipeline, makers: &Makers<'_>, context: &mut Conte
 /// Names that an entry reads and, by its parameters, never looks at.
 fn unread(entry: &PassEntry, context: &Context<'_>) -> Vec<String> {
     let kind = context.kinds.of(entry);
-    let ports = kind.unread(entry).iter();
+    let ports = kind.unread(entry, context.tracers.of(context.pipeline, entry)).iter();
     ports.filter_map(|unread| context.read_of(entry, kind, unread.port)).map(str::to_owned).collect()
 }
 
@@ -74,7 +74,7 @@ fn why_unread(pipeline: &Pipeline, entry: &PassEntry, context: &Context<'_>) -> 
     pipeline.passes.iter().find_map(|reader| {
         let kind = context.kinds.of(reader);
         let made = |name: &str| entry.writes.iter().any(|write| write.value == name);
-        let unread = kind.unread(reader).iter();
+        let unread = kind.unread(reader, context.tracers.of(pipeline, reader)).iter();
         let mut of_entry =
             unread.filter(|unread| read_of(&context.sorts, reader, kind, unread.port).is_some_and(made));
         of_entry.next().map(|unread| unread.why.to_owned())

@@ -21,6 +21,13 @@ pub struct Tracer {
     pub reads: &'static [Sort],
 }
 
+impl Tracer {
+    /// Whether it asks the voxels themselves what is visible.
+    pub fn walks(&self) -> bool {
+        self.reads.contains(&Sort::VOXELS)
+    }
+}
+
 /// Cones through the volume's levels (RAU §6.1, DVS §4).
 pub const CONES: Tracer = Tracer {
     name: "cones",

@@ -8,6 +8,7 @@ use crate::pass::Sort;
 use crate::pipeline::{Located, PassEntry};
 use crate::plan::Target;
 use crate::storage::Storage;
+use crate::tracer::Tracer;
 
 impl<'c, 'a> Expansion<'c, 'a> {
     /// The entry.
@@ -138,7 +139,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
     pub fn is_walked(&self) -> bool {
         let Context { pipeline, tracers, live, .. } = &*self.context;
         let mut planned = pipeline.passes.iter().filter(|entry| live.contains(&entry.name));
-        planned.any(|entry| tracers.of(pipeline, entry).reads.contains(&Sort::VOXELS))
+        planned.any(|entry| tracers.of(pipeline, entry).walks())
+    }
+
+    /// The tracer of the entry.
+    pub fn tracer(&self) -> &'a Tracer {
+        self.tracer
     }
 
     /// A name in the graph whose resources this pass may use before the pass that fills them: that of the first of this

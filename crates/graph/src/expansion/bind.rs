@@ -135,7 +135,7 @@ impl Expansion<'_, '_> {
 
     /// Whether the entry reads something under this name, or a part of it, and it is made.
     fn has(&self, name: &str) -> bool {
-        let unread = self.kind.unread(self.entry).iter().any(|unread| unread.port == name);
+        let unread = self.kind.unread(self.entry, self.tracer).iter().any(|unread| unread.port == name);
         !unread
             && self.entry.reads.iter().any(|read| {
                 let bundle = self.context.bundles.get(&read.value);
@@ -153,7 +153,7 @@ impl Expansion<'_, '_> {
         let bytes = self.params.uniform(&self.context.shaders[shader], &layout, &mut self.context.faults);
         let name = format!("{}.{variable}", self.entry.name);
         let resource = self.context.resource(&name, ResourceKind::Uniform(bytes));
-        let unread = self.kind.unread(self.entry);
+        let unread = self.kind.unread(self.entry, self.tracer);
         let decides = |name: &str| unread.iter().any(|unread| unread.decided_by == Some(name));
         self.slots.extend(layout.fields.iter().map(|field| ParamSlot {
             name: field.name.clone(),

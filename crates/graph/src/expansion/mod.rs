@@ -72,7 +72,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// Reports what the entry names and the pass never used, and parameters that nobody read.
     pub(crate) fn finish(self) -> Expanded {
         for name in &self.entry.reads {
-            let unread = self.kind.unread(self.entry).iter().any(|unread| {
+            let unread = self.kind.unread(self.entry, self.tracer).iter().any(|unread| {
                 self.context.read_of(self.entry, self.kind, unread.port) == Some(name.value.as_str())
             });
             let made = self.context.bundles.contains_key(name.value.trim_end_matches(LAST));

@@ -5,6 +5,7 @@ use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over, screen_image};
 use crate::pipeline::{PassEntry, Value};
 use crate::plan::{ImageTexel, Target};
+use crate::tracer::Tracer;
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
@@ -34,7 +35,7 @@ impl PassKind for Composite {
         &[const { Port::new("final", Sort::IMAGE, "linear radiance") }]
     }
 
-    fn unread(&self, entry: &PassEntry) -> &'static [Unread] {
+    fn unread(&self, entry: &PassEntry, _tracer: &Tracer) -> &'static [Unread] {
         const AO: &[Unread] =
             &[Unread { port: "ao", why: "`ao_weight` is 0", decided_by: Some("ao_weight") }];
         if entry.param("ao_weight") == Some(&Value::Number(0.0)) { AO } else { &[] }

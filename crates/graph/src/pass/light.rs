@@ -5,6 +5,7 @@ use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
 use crate::pipeline::{PassEntry, Value};
 use crate::plan::{ResourceKind, Target};
+use crate::tracer::Tracer;
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
@@ -39,7 +40,7 @@ impl PassKind for Light {
         const WORDS: &[ParamWords] = &[
             ParamWords {
                 name: "occlusion",
-                sentence: "what tells whether a voxel sees a light",
+                sentence: "what tells whether a voxel sees a light; with a tracer that walks voxels always a ray",
                 values: Values::Words(&["shadow_map", "voxel_ray"]),
             },
             ParamWords {
@@ -51,10 +52,11 @@ impl PassKind for Light {
         WORDS
     }
 
-    fn unread(&self, entry: &PassEntry) -> &'static [Unread] {
+    fn unread(&self, entry: &PassEntry, tracer: &Tracer) -> &'static [Unread] {
         const MAPS: &[Unread] =
             &[Unread { port: "shadow_maps", why: "occlusion is by voxel ray", decided_by: None }];
-        if entry.param("occlusion") == Some(&Value::Word("voxel_ray".into())) { MAPS } else { &[] }
+        let by_ray = entry.param("occlusion") == Some(&Value::Word("voxel_ray".into()));
+        if by_ray || tracer.walks() { MAPS } else { &[] }
     }
 
     fn gathers_all_emission(&self, entry: &PassEntry) -> bool {
@@ -67,7 +69,8 @@ impl PassKind for Light {
         pass.word("emission");
         let radiance = pass.resource(&pass.written(), VOXEL_RADIANCE);
         let emitted = pass.input("emitted");
-        let maps = pass.input("shadow_maps").is_some() && occlusion == Some("shadow_map");
+        let by_ray = occlusion == Some("voxel_ray") || pass.tracer().walks();
+        let maps = !by_ray && pass.input("shadow_maps").is_some();
         pass.run("pass/light")
             .writes("direct", Target::Resource(radiance))
             .with("USE_SHADOW_MAP", maps)

@@ -21,6 +21,7 @@ pub(crate) use voxelize::attribute_stride;
 use crate::entries::images;
 use crate::expansion::Expansion;
 use crate::pipeline::{PassEntry, Pipeline};
+use crate::tracer::Tracer;
 
 /// A kind of pass: what it takes, what it makes, when it is left out, and how it becomes steps.
 ///
@@ -55,8 +56,8 @@ pub trait PassKind: Debug + Send + Sync {
         None
     }
 
-    /// Read ports that an entry names and, by its parameters, never looks at.
-    fn unread(&self, _entry: &PassEntry) -> &'static [Unread] {
+    /// Read ports that an entry names and, by its parameters or its tracer, never looks at.
+    fn unread(&self, _entry: &PassEntry, _tracer: &Tracer) -> &'static [Unread] {
         &[]
     }
 

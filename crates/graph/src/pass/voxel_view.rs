@@ -5,6 +5,7 @@ use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over, screen_image, step_params};
 use crate::pipeline::{PassEntry, Value};
 use crate::plan::{ImageTexel, ResourceKind, Target};
+use crate::tracer::Tracer;
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
@@ -63,7 +64,7 @@ impl PassKind for VoxelView {
         WORDS
     }
 
-    fn unread(&self, entry: &PassEntry) -> &'static [Unread] {
+    fn unread(&self, entry: &PassEntry, _tracer: &Tracer) -> &'static [Unread] {
         const VOLUME: &[Unread] =
             &[Unread { port: "volume", why: "the channel shows attributes", decided_by: None }];
         match entry.param("channel") {

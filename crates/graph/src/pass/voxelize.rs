@@ -24,7 +24,7 @@ const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 const LISTED_WORDS: u32 = 16;
 
 /// Words that triangles add up for a voxel's planes: see wgsl/pass/planes.wgsl.
-const PLANE_STRIDE: u32 = 13;
+const PLANE_STRIDE: u32 = 15;
 
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
@@ -109,7 +109,7 @@ impl PassKind for Voxelize {
         let voxels = Voxels::new(pass, coverage, conflict, planes, walk);
         voxels.steps(pass, method);
         if surfaces == Some("planes") && !planes {
-            pass.leaves_out("planes of voxels (64 bytes each)", "no pass has a tracer that walks voxels", 0);
+            pass.leaves_out("planes of voxels (84 bytes each)", "no pass has a tracer that walks voxels", 0);
         }
         if !pass.voxel_emission() {
             let why = match pass.facts().emissive {
@@ -213,7 +213,7 @@ impl Voxels {
         let planes = planes.then(|| {
             [
                 part("plane_sums", ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4)),
-                part("planes", ResourceKind::PerVoxel(12)),
+                part("planes", ResourceKind::PerVoxel(24)),
             ]
         });
         bundle.mount("walk", &format!("walk/{walk}"));
