@@ -14,7 +14,7 @@ struct Plane {
 // Squares along a side of the voxel's face.
 const SQUARES = 5u;
 const ALL_SQUARES = 0x1ffffffu;
-// Whether a front looks towards +k, and towards −k.
+// Whether fronts look towards +k, and towards −k.
 const FRONT_HIGH = 0x10000000u;
 const FRONT_LOW = 0x20000000u;
 // Whether surfaces show their side towards +k, and that towards −k: fronts, and backs of surfaces of two sides.

@@ -1,5 +1,7 @@
 // A ray through the voxels, and what it meets first. Lengths are voxels of level 0.
 
+import package::common::trace::Apex;
+
 // A surface that a ray leaves or runs up to: a point on it, and its unit normal. Without one the normal is zero.
 struct Tangent {
     point: vec3f,
@@ -24,7 +26,8 @@ struct RayHit {
     cell: vec3u,
     // Of the surface met, or of the cell's face, towards where the ray comes from; not unit.
     normal: vec3f,
-    // Whether the side met is one that the surface shows.
+    // The side met, in all voxels' sides (see common/side.wgsl), and whether the surface shows it.
+    side: u32,
     shown: bool,
 }
 
@@ -38,4 +41,18 @@ struct Passage {
 fn ray_between(origin: vec3f, direction: vec3f, reach: f32) -> Ray {
     let none = Tangent(vec3f(0.0), vec3f(0.0));
     return Ray(origin, direction, reach, none, none);
+}
+
+// How far over its surface a ray begins: more than rounding takes, less than anything that touches the surface.
+const LIFT = 0.05;
+
+// Rays begin just over the surface.
+fn leave(apex: Apex) -> Tangent {
+    return Tangent(apex.position + LIFT * apex.normal, apex.normal);
+}
+
+// A surface run up to ends a ray just before it.
+fn arrive(direction: vec3f, origin: vec3f, goal: Tangent) -> f32 {
+    let cosine = max(-dot(goal.normal, direction), 1e-3);
+    return (dot(origin - goal.point, goal.normal) - LIFT) / cosine;
 }

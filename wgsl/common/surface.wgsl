@@ -35,7 +35,7 @@ struct Surface {
 }
 
 fn surface_apex(surface: Surface) -> Apex {
-    return Apex(surface.position_voxel, surface.normal_geometric, 0.0, surface.turn);
+    return Apex(surface.position_voxel, surface.normal_geometric, surface.turn);
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {

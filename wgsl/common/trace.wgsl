@@ -1,22 +1,12 @@
 // What every tracer is asked, and what it answers. Lengths are voxels of level 0.
 
-import package::common::grid::cell_height;
-
 // Where a trace starts: on a surface, whose own voxels it must leave.
 struct Apex {
     position: vec3f,
     // Unit, of the surface itself.
     normal: vec3f,
-    // How far over `position` the surface may lie: 0 for a point on it.
-    depth: f32,
     // [0, 1): which of the sets of directions that neighbours share out this one traces.
     turn: f32,
-}
-
-// An apex on the surface in a voxel, somewhere about its centre.
-fn voxel_apex(centre: vec3f, normal: vec3f, turn: f32) -> Apex {
-    // The surface lies up to half of |n|₁ from there.
-    return Apex(centre, normal, 0.5 * cell_height(normal), turn);
 }
 
 // The directions that a trace covers, and the weight of each. What comes of them is a mean over the lobe.

@@ -1,21 +1,16 @@
-// One more diffuse bounce: every voxel gathers what the hemisphere sends (DVS, 'Voxel Global
-// Illumination') and adds what it reflects to its own light.
+// One more diffuse bounce: every side of a voxel gathers what the hemisphere over it sends, and reflects its share (DVS,
+// 'Voxel Global Illumination').
 
 import package::common::attributes::voxel_surface;
-import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
-import package::common::side::SIDES;
-import package::common::trace::{hemisphere_lobe, reach_of};
+import package::common::radiance::pack_radiance;
+import package::common::side::{SIDES, side_apex};
+import package::common::trace::{Apex, hemisphere_lobe, reach_of};
 import package::common::turn::turn_at;
-import package::meet::side;
+import package::common::voxels::level_cell;
 import package::tracer::trace::trace_gather;
 
-// The light that stays from bounce to bounce: direct light and emission.
-var<storage, read> direct: array<vec4f>;
-var<storage, read_write> bounced: array<vec4f>;
-
-// Without: what is reflected, alone.
-override ADD_DIRECT: bool = true;
+var<storage, read_write> bounced: array<u32>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -26,18 +21,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let turn = turn_at(cell.xy ^ cell.zz);
-    var arriving = vec4f(0.0);
     for (var i = 0u; i < SIDES; i++) {
-        let of_side = side(cell, slot, surface, i, turn);
-        if (of_side.share > 0.0) {
-            let found = trace_gather(of_side.apex, hemisphere_lobe(of_side.apex.normal), reach_of(1e30));
-            arriving += of_side.share * vec4f(found.radiance, 1.0);
+        var apex: Apex;
+        if (side_apex(cell, slot, surface, i, turn, &apex)) {
+            // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
+            let arriving = trace_gather(apex, hemisphere_lobe(apex.normal), reach_of(1e30)).radiance;
+            bounced[SIDES * slot + i] = pack_radiance(surface.albedo * arriving);
         }
     }
-    // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
-    var radiance = surface.albedo * arriving.rgb / max(arriving.a, 1e-6);
-    if (ADD_DIRECT) {
-        radiance += direct[slot].rgb;
-    }
-    bounced[slot] = vec4f(radiance, 1.0);
 }

@@ -2,16 +2,21 @@
 // sky's, once.
 
 import package::common::attributes::voxel_surface;
-import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
+import package::common::radiance::pack_radiance;
+import package::common::side::SIDES;
+import package::common::voxels::level_cell;
 
-var<storage, read_write> direct: array<vec4f>;
+var<storage, read_write> direct: array<u32>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
     var cell: vec3u;
     if (level_cell(slot, 0, &cell)) {
-        direct[slot] = vec4f(voxel_surface(slot).emission, 1.0);
+        let emitted = pack_radiance(voxel_surface(slot).emission);
+        for (var i = 0u; i < SIDES; i++) {
+            direct[SIDES * slot + i] = emitted;
+        }
     }
 }

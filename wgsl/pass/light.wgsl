@@ -1,4 +1,4 @@
-// Direct light on every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
+// Direct light on every side of every voxel: RAU eq. 7.1, DVS §2. One thread an active voxel.
 
 import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
@@ -7,13 +7,13 @@ import package::common::grid::{cell_height, grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
-import package::common::ray::{Ray, Tangent};
-import package::common::side::SIDES;
+import package::common::ray::{Ray, Tangent, arrive, leave};
+import package::common::radiance::pack_radiance;
+import package::common::side::{SIDES, side_apex};
 import package::common::trace::Apex;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::common::turn::turn_at;
-import package::meet::{arrive, leave, side};
 import package::walk::first_hit;
 
 struct Params {
@@ -24,7 +24,7 @@ struct Params {
 }
 
 var<uniform> params: Params;
-var<storage, read_write> direct: array<vec4f>;
+var<storage, read_write> direct: array<u32>;
 
 // Occlusion from shadow maps where the light has one, else by a ray through the voxels.
 override USE_SHADOW_MAP: bool = true;
@@ -69,19 +69,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let turn = turn_at(cell.xy ^ cell.zz);
-    var arriving = vec4f(0.0);
     for (var i = 0u; i < SIDES; i++) {
-        var of_side = side(cell, slot, surface, i, turn);
-        if (of_side.share <= 0.0) {
-            continue;
+        var apex: Apex;
+        if (side_apex(cell, slot, surface, i, turn, &apex)) {
+            direct[SIDES * slot + i] = pack_radiance(surface.emission + surface.albedo / PI * irradiance(apex));
         }
-        var both = irradiance(of_side.apex);
-        if (of_side.opposite > 0.0) {
-            // One value stands for both sides: what arrives at either.
-            of_side.apex.normal = -of_side.apex.normal;
-            both += of_side.opposite * irradiance(of_side.apex);
-        }
-        arriving += of_side.share * vec4f(both, 1.0);
     }
-    direct[slot] = vec4f(surface.emission + surface.albedo / PI * arriving.rgb / max(arriving.a, 1e-6), 1.0);
 }

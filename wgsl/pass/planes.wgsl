@@ -9,7 +9,7 @@ var<storage, read> plane_sums: array<u32>;
 // For each axis.
 var<storage, read_write> planes: array<vec2u>;
 
-override PLANE_STRIDE: u32 = 15;
+const PLANE_STRIDE = 15u;
 
 fn mean_plane(first: u32) -> vec2u {
     let weight = plane_sums[first];

@@ -6,9 +6,6 @@ import package::common::dispatch::dispatch_index;
 import package::format::store::voxel_store;
 
 var<storage, read> slot_radiance: array<vec4f>;
-// What the voxels reflect of gathered emission and sky, beside it.
-var<storage, read> emitted: array<vec4f>;
-override HAS_EMITTED: bool = false;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -16,10 +13,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var cell: vec3u;
     if (level_cell(slot, 0, &cell)) {
         let surface = voxel_surface(slot);
-        var radiance = slot_radiance[slot].rgb;
-        if (HAS_EMITTED) {
-            radiance += emitted[slot].rgb;
-        }
-        voxel_store(cell, radiance, surface.normal, surface.opacity);
+        voxel_store(cell, slot_radiance[slot].rgb, surface.normal, surface.opacity);
     }
 }

@@ -16,9 +16,8 @@ var<storage, read_write> attributes: array<atomic<u32>>;
 var<storage, read_write> plane_sums: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
-override PLANE_STRIDE: u32 = 15;
+const PLANE_STRIDE = 15u;
 override HAS_COVERAGE: bool = false;
-override HAS_PLANE_SUMS: bool = false;
 
 struct Visitor {
     axis: u32,
@@ -102,9 +101,7 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     let weight = visitor.weight;
     let metallic = roughness_metallic(material, f.uv, f.lod).y;
     let slot = voxel_slot(cell);
-    if (HAS_PLANE_SUMS) {
-        add_plane(visitor, cell, slot);
-    }
+    add_plane(visitor, cell, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));

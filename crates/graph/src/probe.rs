@@ -12,7 +12,7 @@ use crate::expansion::{Context, Expanded, Expansion, LEVEL_RUN_BYTES, Over, grou
 use crate::facts::SceneFacts;
 use crate::flow::Flow;
 use crate::grid::Grid;
-use crate::pass::{Kinds, PassKind, Port, Sort, attribute_stride};
+use crate::pass::{Kinds, PassKind, Port, Sort, attribute_stride, store_and_mipmap};
 use crate::pipeline::Pipeline;
 use crate::plan::{Pass, Plan, ResourceKind, Target, Update};
 use crate::storage::Storage;
@@ -38,10 +38,41 @@ const PROBE_BYTES: u64 = 32;
 const PIPELINE: &str = r#"(
     format: "given", encoding: "given", resolution: 16, separability: "conservative", output: "probed",
     passes: [
-        (run: "filter", reads: ["voxels", "radiance"], writes: ["volume"]),
+        (run: "stored", reads: ["voxels"], writes: ["volume"]),
         (run: "probe", reads: ["volume"], writes: ["probed"]),
     ],
 )"#;
+
+/// Stores one given radiance for each voxel.
+#[derive(Debug)]
+struct Stored {
+    voxels: u64,
+}
+
+impl PassKind for Stored {
+    fn name(&self) -> &str {
+        "stored"
+    }
+
+    fn sentence(&self) -> &str {
+        "stores given radiance in the storage format and makes its coarser levels"
+    }
+
+    fn reads(&self) -> &[Port] {
+        &[const { Port::new("voxels", Sort::VOXELS, "given voxels") }]
+    }
+
+    fn writes(&self) -> &[Port] {
+        &[const { Port::new("volume", Sort::VOLUME, "filtered radiance and opacity") }]
+    }
+
+    fn expand(&self, pass: &mut Expansion<'_, '_>) {
+        let radiance = pass.resource("radiance", ResourceKind::Buffer(self.voxels * 16));
+        let Some(volume) = pass.volume(&pass.written()) else { return };
+        pass.makes(volume.bundle.clone());
+        store_and_mipmap(pass, &volume, radiance, false);
+    }
+}
 
 /// Samples the volume at given places.
 #[derive(Debug)]
@@ -75,7 +106,7 @@ impl PassKind for Probe {
     }
 }
 
-/// Plans what `filter` does for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
+/// Plans what `filter` does with each voxel's radiance, for voxels that whoever carries out the plan writes into `occupancy`, `ranks`, `cells`,
 /// `levels`, `attributes` (12 words a voxel, the last its opacity) and `radiance`, and then samples the volume as
 /// `probes` says into `probed`: 32 bytes (uvw, level, direction of travel, padding) and 16 bytes (`voxel_sample`) a sample.
 ///
@@ -94,6 +125,7 @@ pub fn probe(
     let storage = Storage::new(format, choices.clone(), encoding, size.filters_float32);
     let (levels, words) = (u64::from(grid.levels()), u64::from(grid.word_offsets().1));
     let mut kinds = Kinds::builtin();
+    kinds.add(Stored { voxels: size.voxels });
     kinds.add(Probe { samples: size.samples });
     let tracers = Tracers::builtin();
     let encodings = Encodings::builtin();
@@ -127,11 +159,9 @@ pub fn probe(
         voxels.add(name, Target::Resource(context.resource(name, ResourceKind::Buffer(bytes))));
     }
     let mut buffer = |name, bytes| context.resource(name, ResourceKind::Buffer(bytes));
-    let radiance = buffer("radiance", size.voxels * 16);
     buffer("probes", samples * PROBE_BYTES);
     let output = buffer("probed", samples * 16);
     context.bundles.insert("voxels".into(), voxels);
-    context.bundles.insert("radiance".into(), Bundle::of("direct", Target::Resource(radiance)));
     let mut passes = Vec::new();
     for entry in &pipeline.passes {
         let mut expansion = Expansion::new(&mut context, entry);

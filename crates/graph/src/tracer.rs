@@ -19,6 +19,9 @@ pub struct Tracer {
     pub modules: &'static str,
     /// What it looks at. An effect that reads a volume reads these instead: the volume itself, or what the volume is made of.
     pub reads: &'static [Sort],
+    /// Whether it samples a volume's textures; if not, it reads of a volume only what every side of a voxel sends, and the
+    /// textures are not made for it.
+    pub samples: bool,
 }
 
 impl Tracer {
@@ -34,6 +37,7 @@ pub const CONES: Tracer = Tracer {
     summary: "cones through the volume's levels, as wide as what they gather",
     modules: "tracer/cones",
     reads: &[Sort::VOLUME],
+    samples: true,
 };
 
 /// Rays through the bitmask (VGI §4).
@@ -42,6 +46,7 @@ pub const RAYS: Tracer = Tracer {
     summary: "rays through the occupancy bitmask to the first surface, whose own voxel says what it sends",
     modules: "tracer/rays",
     reads: &[Sort::VOXELS, Sort::VOLUME],
+    samples: false,
 };
 
 /// The tracers to choose from.

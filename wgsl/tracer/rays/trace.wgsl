@@ -1,14 +1,15 @@
-// Rays through the occupancy bitmask (VGI §4.2): a lobe is the mean over rays in it, each to the first surface that it meets.
-// What is met sends what the storage format's finest level says of its own voxel: no filter reaches through a wall.
+// Rays through the occupancy bitmask (VGI §4.2): a lobe is the mean over rays in it, each to the first surface that it meets,
+// whose own side says what it sends.
 
 import package::common::environment::environment;
-import package::common::grid::grid;
-import package::common::ray::{Ray, RayHit, Tangent};
+import package::common::radiance::unpack_radiance;
+import package::common::ray::{Ray, RayHit, Tangent, arrive, leave};
 import package::common::trace::{Apex, Gathered, Lobe, Reach};
-import package::format::sample::voxel_sample;
-import package::meet::{arrive, leave};
 import package::tracer::lobe::{lobe_direction, trace_params};
 import package::walk::first_hit;
+
+// What every side of a voxel sends: see common/side.wgsl.
+var<storage, read> side_radiance: array<u32>;
 
 // What a ray of a trace meets. What lies below the surface is looked for above it, as in a mirror.
 fn shoot(apex: Apex, lobe: Lobe, reach: Reach, origin: Tangent, index: u32, direction: ptr<function, vec3f>) -> RayHit {
@@ -23,16 +24,6 @@ fn shoot(apex: Apex, lobe: Lobe, reach: Reach, origin: Tangent, index: u32, dire
     return first_hit(Ray(origin.point, *direction, distance, origin, goal), 0);
 }
 
-// Radiance that a voxel's surface sends against a direction. What is met hides all that lies behind: the format's share of
-// opacity says nothing of it.
-fn sent(hit: RayHit, direction: vec3f) -> vec3f {
-    if (!hit.shown) {
-        return vec3f(0.0);
-    }
-    let value = voxel_sample((vec3f(hit.cell) + 0.5) / vec3f(grid.size), 0.0, direction);
-    return value.rgb / max(value.a, 1e-3);
-}
-
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
     let origin = leave(apex);
     var sum = vec4f(0.0);
@@ -41,7 +32,8 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
         var direction: vec3f;
         let hit = shoot(apex, lobe, reach, origin, i, &direction);
         if (hit.found) {
-            sum += vec4f(sent(hit, direction), 1.0);
+            // The back of a surface of one side is dark.
+            sum += vec4f(select(vec3f(0.0), unpack_radiance(side_radiance[hit.side]), hit.shown), 1.0);
             distance = min(distance, hit.distance);
         } else {
             sum += vec4f(environment.sky, 0.0);

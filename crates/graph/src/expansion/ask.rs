@@ -1,7 +1,7 @@
 //! What a kind of pass asks of an entry, its parameters and the scene.
 
 use crate::bundle::Bundle;
-use crate::expansion::{Context, Expansion};
+use crate::expansion::Expansion;
 use crate::facts::SceneFacts;
 use crate::grid::Grid;
 use crate::pass::Sort;
@@ -135,11 +135,18 @@ impl<'c, 'a> Expansion<'c, 'a> {
         self.bundles().find_map(|bundle| bundle.part(name)).cloned()
     }
 
-    /// Whether a pass that is planned has a tracer that walks voxels.
-    pub fn is_walked(&self) -> bool {
-        let Context { pipeline, tracers, live, .. } = &*self.context;
-        let mut planned = pipeline.passes.iter().filter(|entry| live.contains(&entry.name));
-        planned.any(|entry| tracers.of(pipeline, entry).walks())
+    /// Whether a pass that is planned samples the textures of a volume, itself or through its tracer.
+    pub(crate) fn is_sampled(&self, volume: &str) -> bool {
+        let context = &*self.context;
+        let mut planned = context.pipeline.passes.iter().filter(|entry| context.is_live(entry));
+        planned.any(|entry| {
+            let (kind, tracer) = (context.kinds.of(entry), context.tracers.of(context.pipeline, entry));
+            let unread = kind.unread(entry, tracer).iter();
+            let mut unread = unread.filter_map(|unread| context.read_of(entry, kind, unread.port));
+            let mut named = entry.reads.iter().chain(&entry.updates);
+            let samples = if kind.traces() { tracer.samples || context.uses_format(entry) } else { true };
+            samples && named.any(|name| name.value == volume) && !unread.any(|name| name == volume)
+        })
     }
 
     /// The tracer of the entry.

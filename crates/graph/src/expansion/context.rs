@@ -116,6 +116,12 @@ impl<'a> Context<'a> {
         read_of(&self.sorts, entry, kind, port)
     }
 
+    /// Whether an effect's own file asks the storage format itself.
+    pub fn uses_format(&self, entry: &PassEntry) -> bool {
+        let module = self.library.get(entry.run.value.trim_end_matches(".wgsl"));
+        module.is_some_and(|source| source.text.contains("package::format"))
+    }
+
     pub fn is_live(&self, entry: &PassEntry) -> bool {
         self.live.contains(&entry.name)
     }

@@ -1,9 +1,8 @@
 //! Further bounces.
 
-use super::volume::{gather, store_and_mipmap};
+use super::volume::{SIDE_RADIANCE, fill, gather};
 use super::{Idle, ParamWords, PassKind, Port, RADIANCE, VOLUME, VOXELS, Values};
 use crate::expansion::Expansion;
-use crate::pass::light::VOXEL_RADIANCE;
 use crate::pipeline::{PassEntry, Value};
 use crate::plan::Target;
 
@@ -49,17 +48,23 @@ impl PassKind for Bounce {
         }
     }
 
+    fn traces(&self) -> bool {
+        true
+    }
+
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let bounces = pass.whole("bounces");
         let radiance = pass.input("radiance");
         let name = pass.updated();
         let Some((volume, radiance)) = pass.volume(&name).zip(radiance) else { return };
-        let Some(Target::Resource(direct)) = radiance.part("direct") else { return };
+        let Some(direct) = radiance.part("direct") else { return };
+        let bounced = pass.resource("bounced", SIDE_RADIANCE);
         // Where the number is at fault, one has the other parameters checked.
-        for _ in 0..bounces.unwrap_or(1) {
-            let bounced = pass.resource("bounced", VOXEL_RADIANCE);
-            gather(pass, &volume, *direct, bounced, true);
-            store_and_mipmap(pass, &volume, bounced, None, false);
+        let bounces = bounces.unwrap_or(1);
+        for bounce in 1..=bounces {
+            gather(pass, &volume, bounced);
+            let sampled = if bounce == bounces { pass.is_sampled(&name) } else { pass.tracer().samples };
+            fill(pass, &volume, (direct, Some(&Target::Resource(bounced))), sampled, false);
         }
     }
 }

@@ -22,6 +22,10 @@ impl PassKind for Effect {
         &[const { Port::new("image", Sort::IMAGE, "what the effect gives") }]
     }
 
+    fn traces(&self) -> bool {
+        true
+    }
+
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let entry = pass.entry();
         let module = entry.run.value.trim_end_matches(".wgsl").to_owned();

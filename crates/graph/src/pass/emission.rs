@@ -1,10 +1,9 @@
 //! What voxels gather of the sky and of emission.
 
-use super::volume::{gather, store_and_mipmap};
+use super::volume::{SIDE_RADIANCE, fill, gather};
 use super::{PassKind, Port, Sort, VOXELS};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
-use crate::pass::light::VOXEL_RADIANCE;
 use crate::plan::Target;
 
 /// See [`PassKind::sentence`].
@@ -30,16 +29,21 @@ impl PassKind for Emission {
         ]
     }
 
+    fn traces(&self) -> bool {
+        true
+    }
+
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
-        let gathered = pass.resource(&pass.written(), VOXEL_RADIANCE);
+        let gathered = pass.resource(&pass.written(), SIDE_RADIANCE);
         pass.makes(Bundle::of("emitted", Target::Resource(gathered)));
         // What passes after this one fill: until then both are free.
         let own = pass.borrowed(Sort::RADIANCE);
-        let own = pass.resource(&own, VOXEL_RADIANCE);
+        let own = pass.resource(&own, SIDE_RADIANCE);
         let volume = pass.borrowed(Sort::VOLUME);
         let Some(volume) = pass.volume(&volume) else { return };
         pass.run("pass/emission").writes("direct", Target::Resource(own)).over(Over::Cells(0));
-        store_and_mipmap(pass, &volume, own, None, false);
-        gather(pass, &volume, own, gathered, false);
+        let sampled = pass.tracer().samples;
+        fill(pass, &volume, (&Target::Resource(own), None), sampled, false);
+        gather(pass, &volume, gathered);
     }
 }

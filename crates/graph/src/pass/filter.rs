@@ -1,9 +1,8 @@
 //! A volume from the voxels' radiance.
 
-use super::volume::store_and_mipmap;
+use super::volume::fill;
 use super::{ParamWords, PassKind, Port, RADIANCE, VOLUME, VOXELS, Values};
 use crate::expansion::Expansion;
-use crate::plan::Target;
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
@@ -56,7 +55,15 @@ impl PassKind for Filter {
         let (name, radiance) = (pass.written(), pass.input("radiance"));
         let Some((volume, radiance)) = pass.volume(&name).zip(radiance) else { return };
         pass.makes(volume.bundle.clone());
-        let Some(Target::Resource(direct)) = radiance.part("direct") else { return };
-        store_and_mipmap(pass, &volume, *direct, radiance.part("emitted"), cells == Some("all"));
+        let Some(direct) = radiance.part("direct") else { return };
+        let sampled = pass.is_sampled(&name);
+        fill(pass, &volume, (direct, radiance.part("emitted")), sampled, cells == Some("all"));
+        if !sampled {
+            pass.leaves_out(
+                &format!("textures of `{name}`"),
+                "every tracer that reads it asks the voxels' sides",
+                volume.texture_bytes,
+            );
+        }
     }
 }

@@ -1,18 +1,16 @@
 //! Direct light of voxels.
 
+use super::volume::SIDE_RADIANCE;
 use super::{ParamWords, PassKind, Port, RADIANCE, Sort, Unread, VOXELS, Values};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
 use crate::pipeline::{PassEntry, Value};
-use crate::plan::{ResourceKind, Target};
+use crate::plan::Target;
 use crate::tracer::Tracer;
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
 pub(crate) struct Light;
-
-/// Bytes of a voxel's radiance: four floats.
-pub(crate) const VOXEL_RADIANCE: ResourceKind = ResourceKind::PerVoxel(16);
 
 impl PassKind for Light {
     fn name(&self) -> &str {
@@ -67,7 +65,7 @@ impl PassKind for Light {
         let occlusion = pass.word("occlusion");
         // Read already, when the lights were chosen.
         pass.word("emission");
-        let radiance = pass.resource(&pass.written(), VOXEL_RADIANCE);
+        let radiance = pass.resource(&pass.written(), SIDE_RADIANCE);
         let emitted = pass.input("emitted");
         let by_ray = occlusion == Some("voxel_ray") || pass.tracer().walks();
         let maps = !by_ray && pass.input("shadow_maps").is_some();

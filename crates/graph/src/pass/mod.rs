@@ -15,6 +15,7 @@ mod voxelize;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+pub(crate) use volume::store_and_mipmap;
 pub use voxelize::DEFAULT_METHOD;
 pub(crate) use voxelize::attribute_stride;
 
@@ -59,6 +60,11 @@ pub trait PassKind: Debug + Send + Sync {
     /// Read ports that an entry names and, by its parameters or its tracer, never looks at.
     fn unread(&self, _entry: &PassEntry, _tracer: &Tracer) -> &'static [Unread] {
         &[]
+    }
+
+    /// Whether it asks its tracer what lies in a direction, and looks at a volume in no other way.
+    fn traces(&self) -> bool {
+        false
     }
 
     /// Whether an entry asks that no emissive polygon is a light of its own.

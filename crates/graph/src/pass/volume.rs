@@ -13,6 +13,10 @@ pub struct VolumeSet {
     pub bundle: Bundle,
     name: String,
     parts: Vec<(Volume, usize)>,
+    /// What every side of a voxel sends: what the volume is made of.
+    sides: usize,
+    /// Bytes of its textures.
+    pub(crate) texture_bytes: u64,
 }
 
 impl Expansion<'_, '_> {
@@ -30,6 +34,7 @@ impl Expansion<'_, '_> {
             bundle.set_grid(index);
         }
         let encoding = storage.encoding;
+        let texture_bytes = storage.volumes().iter().map(|volume| volume.bytes(grid, encoding)).sum();
         let parts = storage.volumes().into_iter().map(|volume| {
             let (size, mips, numbers) = (volume.size(grid), volume.mip_levels(grid), volume.numbers);
             let kind = ResourceKind::Volume { size, mips, encoding, numbers };
@@ -38,9 +43,14 @@ impl Expansion<'_, '_> {
             (volume, resource)
         });
         let parts = parts.collect();
-        Some(VolumeSet { bundle, name: name.to_owned(), parts })
+        let sides = self.part_of(name, "volume", "side_radiance", SIDE_RADIANCE);
+        bundle.add("side_radiance", Target::Resource(sides));
+        Some(VolumeSet { bundle, name: name.to_owned(), parts, sides, texture_bytes })
     }
 }
+
+/// What every side of a voxel sends: see wgsl/common/radiance.wgsl.
+pub(crate) const SIDE_RADIANCE: ResourceKind = ResourceKind::PerVoxel(6 * 4);
 
 /// The count of values that a pass's encoding can't hold; cleared when the pass begins.
 fn out_of_range(pass: &mut Expansion<'_, '_>) -> usize {
@@ -56,13 +66,37 @@ fn out_of_range(pass: &mut Expansion<'_, '_>) -> usize {
     }
 }
 
-/// Level 0 from every voxel's radiance, with what is gathered beside it if there is any, and the levels over it: the
-/// parents of occupied cells, or all.
+/// A volume of what every side of a voxel sends by itself, with what is gathered beside it if there is any. Where `sampled`, its
+/// textures are made as well: the parents of occupied cells, or all.
+pub(crate) fn fill(
+    pass: &mut Expansion<'_, '_>,
+    volume: &VolumeSet,
+    (direct, gathered): (&Target, Option<&Target>),
+    sampled: bool,
+    all_cells: bool,
+) {
+    pass.run("pass/sum_sides")
+        .using(&volume.bundle)
+        .reads("direct", direct.clone())
+        .reads("gathered", gathered.cloned().unwrap_or(Target::Nothing))
+        .with("HAS_GATHERED", gathered.is_some())
+        .writes("side_radiance", Target::Resource(volume.sides))
+        .over(Over::Cells(0));
+    if sampled {
+        let mean = pass.resource("slot_radiance", ResourceKind::PerVoxel(16));
+        pass.run("pass/mean_radiance")
+            .using(&volume.bundle)
+            .writes("slot_radiance", Target::Resource(mean))
+            .over(Over::Cells(0));
+        store_and_mipmap(pass, volume, mean, all_cells);
+    }
+}
+
+/// Level 0 from every voxel's radiance, and the levels over it: the parents of occupied cells, or all.
 pub(crate) fn store_and_mipmap(
     pass: &mut Expansion<'_, '_>,
     volume: &VolumeSet,
     radiance: usize,
-    emitted: Option<&Target>,
     all_cells: bool,
 ) {
     let out_of_range = Target::Resource(out_of_range(pass));
@@ -75,8 +109,6 @@ pub(crate) fn store_and_mipmap(
     pass.run("pass/store")
         .using(&volume.bundle)
         .reads("slot_radiance", Target::Resource(radiance))
-        .reads("emitted", emitted.cloned().unwrap_or(Target::Nothing))
-        .with("HAS_EMITTED", emitted.is_some())
         .writes("out_of_range", out_of_range.clone())
         .writes_all(&level0)
         .over(Over::Cells(0));
@@ -132,18 +164,10 @@ pub(crate) fn store_and_mipmap(
     }
 }
 
-/// What every voxel reflects of the volume, with its own light or without.
-pub(crate) fn gather(
-    pass: &mut Expansion<'_, '_>,
-    volume: &VolumeSet,
-    direct: usize,
-    bounced: usize,
-    add_direct: bool,
-) {
+/// What every side of a voxel reflects of the volume.
+pub(crate) fn gather(pass: &mut Expansion<'_, '_>, volume: &VolumeSet, bounced: usize) {
     pass.run("pass/bounce")
         .using(&volume.bundle)
-        .reads("direct", Target::Resource(direct))
         .writes("bounced", Target::Resource(bounced))
-        .with("ADD_DIRECT", add_direct)
         .over(Over::Cells(0));
 }

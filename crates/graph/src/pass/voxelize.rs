@@ -26,6 +26,9 @@ const LISTED_WORDS: u32 = 16;
 /// Words that triangles add up for a voxel's planes: see wgsl/pass/planes.wgsl.
 const PLANE_STRIDE: u32 = 15;
 
+/// Bytes of a voxel's planes: see wgsl/common/plane.wgsl.
+pub(crate) const PLANE_BYTES: u64 = 24;
+
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
 const EDGE_OF_TWO_BANDS: f64 = 9.5;
@@ -68,11 +71,6 @@ impl PassKind for Voxelize {
                 values: Values::Words(&["sum", "max", "running_average"]),
             },
             ParamWords {
-                name: "surfaces",
-                sentence: "what of a voxel stops a ray: the planes of its surfaces, or all of it; `planes` unless given",
-                values: Values::Words(&["planes", "cells"]),
-            },
-            ParamWords {
                 name: "walk",
                 sentence: "how rays pass through the bitmask; what they meet is the same; `bricks` unless given",
                 values: Values::Words(&["bricks"]),
@@ -99,18 +97,13 @@ impl PassKind for Voxelize {
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let coverage = pass.word_or("coverage", "binary") == Some("area");
         let conflict = pass.word_or("conflict", "sum").unwrap_or_default();
-        let surfaces = pass.word_or("surfaces", "planes");
         let walk = pass.word_or("walk", "bricks").unwrap_or("bricks");
         if pass.begin_grid().is_none() {
             return;
         }
         let Some(method) = method(pass) else { return };
-        let planes = surfaces == Some("planes") && pass.is_walked();
-        let voxels = Voxels::new(pass, coverage, conflict, planes, walk);
+        let voxels = Voxels::new(pass, coverage, conflict, walk);
         voxels.steps(pass, method);
-        if surfaces == Some("planes") && !planes {
-            pass.leaves_out("planes of voxels (84 bytes each)", "no pass has a tracer that walks voxels", 0);
-        }
         if !pass.voxel_emission() {
             let why = match pass.facts().emissive {
                 true => "what emits is lit as area lights",
@@ -178,8 +171,8 @@ struct Voxels {
     occupancy: usize,
     ranks: usize,
     attributes: usize,
-    /// What triangles add up of planes, and the planes, where rays meet them.
-    planes: Option<[usize; 2]>,
+    /// What triangles add up for the planes of a voxel's surfaces.
+    plane_sums: usize,
     /// Words of a voxel's attributes.
     stride: u32,
     /// Words of the bitmask of all levels.
@@ -187,13 +180,7 @@ struct Voxels {
 }
 
 impl Voxels {
-    fn new(
-        pass: &mut Expansion<'_, '_>,
-        coverage: bool,
-        conflict: &'static str,
-        planes: bool,
-        walk: &str,
-    ) -> Voxels {
+    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str, walk: &str) -> Voxels {
         let triangles = pass.facts().triangles;
         let (_, all) = pass.grid().word_offsets();
         let level_bytes = u64::from(pass.grid().levels()) * LEVEL_RUN_BYTES;
@@ -210,21 +197,16 @@ impl Voxels {
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
         part("cells", ResourceKind::PerCell(4));
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
-        let planes = planes.then(|| {
-            [
-                part("plane_sums", ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4)),
-                part("planes", ResourceKind::PerVoxel(24)),
-            ]
-        });
+        let plane_sums = part("plane_sums", ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4));
+        part("planes", ResourceKind::PerVoxel(PLANE_BYTES));
         bundle.mount("walk", &format!("walk/{walk}"));
-        bundle.mount("meet", if planes.is_some() { "meet/planes" } else { "meet/cells" });
-        bundle.with("HAS_PLANE_SUMS", f64::from(u8::from(planes.is_some())));
+        bundle.mount("meet", "meet/planes");
         bundle.with("ATTRIBUTE_STRIDE", f64::from(stride));
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
         pass.counts_cells(levels);
-        Voxels { occupancy, ranks, attributes, planes, stride, all }
+        Voxels { occupancy, ranks, attributes, plane_sums, stride, all }
     }
 
     fn steps(&self, pass: &mut Expansion<'_, '_>, method: Method) {
@@ -266,15 +248,12 @@ impl Voxels {
             }
         }
         visit(pass, &part, "visitor/attributes", false);
-        if self.planes.is_some() {
-            pass.run("pass/planes").over(Over::Cells(0));
-        }
+        pass.run("pass/planes").over(Over::Cells(0));
     }
 
     /// What triangles add up for each voxel, with the words of each.
-    fn sums(&self) -> Vec<(usize, u32)> {
-        let planes = self.planes.map(|[sums, _]| (sums, PLANE_STRIDE));
-        [(self.attributes, self.stride)].into_iter().chain(planes).collect()
+    fn sums(&self) -> [(usize, u32); 2] {
+        [(self.attributes, self.stride), (self.plane_sums, PLANE_STRIDE)]
     }
 
     /// Voxelizes what never moves by itself, once (DVS §1.2). Sums are integers: adding what moves to these gives the
@@ -286,15 +265,16 @@ impl Voxels {
         // At most as many voxels as there are in all.
         let kind = ResourceKind::PerVoxel(u64::from(self.stride) * 4);
         let attributes = pass.part("voxels", "static_attributes", kind);
-        let planes = self.planes.map(|[_, planes]| {
-            let kind = ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4);
-            [pass.part("voxels", "static_plane_sums", kind), planes]
-        });
-        let fixed = Voxels { occupancy, ranks, attributes, planes, stride: self.stride, all: finest };
-        let targets = [("occupancy", occupancy), ("ranks", ranks), ("attributes", attributes)];
-        let plane_sums = planes.map(|[sums, _]| ("plane_sums", sums));
-        let targets = targets.into_iter().chain(plane_sums);
-        let targets = targets.map(|(name, resource)| (name.to_owned(), Target::Resource(resource))).collect();
+        let kind = ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4);
+        let plane_sums = pass.part("voxels", "static_plane_sums", kind);
+        let fixed = Voxels { occupancy, ranks, attributes, plane_sums, stride: self.stride, all: finest };
+        let targets = [
+            ("occupancy", occupancy),
+            ("ranks", ranks),
+            ("attributes", attributes),
+            ("plane_sums", plane_sums),
+        ];
+        let targets = targets.map(|(name, resource)| (name.to_owned(), Target::Resource(resource))).to_vec();
         let still = pass.facts().triangles - pass.facts().moving_triangles;
         let part = Part { method, triangles: 0..still, targets };
         pass.clear(occupancy);
