@@ -23,11 +23,11 @@ const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 /// Words of the bitmask that a thread of wgsl/pass/list.wgsl looks at.
 const LISTED_WORDS: u32 = 16;
 
-/// Words that triangles add up for a voxel's planes: see wgsl/pass/planes.wgsl.
-const PLANE_STRIDE: u32 = 15;
+/// Words that triangles add up for a voxel's planes: see wgsl/pass/sheets.wgsl.
+const SHEET_STRIDE: u32 = 21;
 
-/// Bytes of a voxel's planes: see wgsl/common/plane.wgsl.
-pub(crate) const PLANE_BYTES: u64 = 24;
+/// Bytes of a voxel's sheets: see wgsl/common/sheet.wgsl.
+pub(crate) const SHEET_BYTES: u64 = 24;
 
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
@@ -171,8 +171,8 @@ struct Voxels {
     occupancy: usize,
     ranks: usize,
     attributes: usize,
-    /// What triangles add up for the planes of a voxel's surfaces.
-    plane_sums: usize,
+    /// What triangles add up for the sheets of a voxel's surfaces.
+    sheet_sums: usize,
     /// Words of a voxel's attributes.
     stride: u32,
     /// Words of the bitmask of all levels.
@@ -197,16 +197,16 @@ impl Voxels {
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
         part("cells", ResourceKind::PerCell(4));
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
-        let plane_sums = part("plane_sums", ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4));
-        part("planes", ResourceKind::PerVoxel(PLANE_BYTES));
+        let sheet_sums = part("sheet_sums", ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4));
+        part("sheets", ResourceKind::PerVoxel(SHEET_BYTES));
         bundle.mount("walk", &format!("walk/{walk}"));
-        bundle.mount("meet", "meet/planes");
+        bundle.mount("meet", "meet/sheets");
         bundle.with("ATTRIBUTE_STRIDE", f64::from(stride));
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
         pass.counts_cells(levels);
-        Voxels { occupancy, ranks, attributes, plane_sums, stride, all }
+        Voxels { occupancy, ranks, attributes, sheet_sums, stride, all }
     }
 
     fn steps(&self, pass: &mut Expansion<'_, '_>, method: Method) {
@@ -248,12 +248,12 @@ impl Voxels {
             }
         }
         visit(pass, &part, "visitor/attributes", false);
-        pass.run("pass/planes").over(Over::Cells(0));
+        pass.run("pass/sheets").over(Over::Cells(0));
     }
 
     /// What triangles add up for each voxel, with the words of each.
     fn sums(&self) -> [(usize, u32); 2] {
-        [(self.attributes, self.stride), (self.plane_sums, PLANE_STRIDE)]
+        [(self.attributes, self.stride), (self.sheet_sums, SHEET_STRIDE)]
     }
 
     /// Voxelizes what never moves by itself, once (DVS §1.2). Sums are integers: adding what moves to these gives the
@@ -265,14 +265,14 @@ impl Voxels {
         // At most as many voxels as there are in all.
         let kind = ResourceKind::PerVoxel(u64::from(self.stride) * 4);
         let attributes = pass.part("voxels", "static_attributes", kind);
-        let kind = ResourceKind::PerVoxel(u64::from(PLANE_STRIDE) * 4);
-        let plane_sums = pass.part("voxels", "static_plane_sums", kind);
-        let fixed = Voxels { occupancy, ranks, attributes, plane_sums, stride: self.stride, all: finest };
+        let kind = ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4);
+        let sheet_sums = pass.part("voxels", "static_sheet_sums", kind);
+        let fixed = Voxels { occupancy, ranks, attributes, sheet_sums, stride: self.stride, all: finest };
         let targets = [
             ("occupancy", occupancy),
             ("ranks", ranks),
             ("attributes", attributes),
-            ("plane_sums", plane_sums),
+            ("sheet_sums", sheet_sums),
         ];
         let targets = targets.map(|(name, resource)| (name.to_owned(), Target::Resource(resource))).to_vec();
         let still = pass.facts().triangles - pass.facts().moving_triangles;

@@ -1,44 +1,48 @@
-// A voxel's surfaces as pieces of planes: one for each axis that any of them face most. About the voxel's centre, in voxels, a
-// plane of axis k is where q[k] = height + slope.x · q[k+1] + slope.y · q[k+2]. Which squares of the voxel's face along k
-// the surfaces cover says how much of the plane is there.
+// A voxel's surfaces as pieces of planes: for each axis k that any of them face most a sheet with its front towards +k, one with its
+// front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
+// slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of the sheets is there.
 
-struct Plane {
-    // In [−1.5, 1.5]: a plane that touches the voxel.
-    height: f32,
-    // Each in [−1, 1].
+struct Sheets {
+    // Of the sheet with its front towards +k, and of that towards −k: each in [−1.5, 1.5], to touch the voxel.
+    high: f32,
+    low: f32,
+    // Of both, each in [−1, 1].
     slope: vec2f,
-    // A bit for each square, and `SHOWS_HIGH`, `SHOWS_LOW`. 0 where no surface faces along the axis.
+    // A bit for each square, and those below. 0 where no surface faces along the axis.
     covered: u32,
 }
 
 // Squares along a side of the voxel's face.
 const SQUARES = 5u;
 const ALL_SQUARES = 0x1ffffffu;
-// Whether fronts look towards +k, and towards −k.
-const FRONT_HIGH = 0x10000000u;
-const FRONT_LOW = 0x20000000u;
-// Whether surfaces show their side towards +k, and that towards −k: fronts, and backs of surfaces of two sides.
-const SHOWS_HIGH = 0x40000000u;
-const SHOWS_LOW = 0x80000000u;
+// Whether there is a sheet with its front towards +k, and one towards −k.
+const FRONT_HIGH = 0x20000000u;
+const FRONT_LOW = 0x40000000u;
+// Whether a surface shows its back as well.
+const TWO_SIDED = 0x80000000u;
 
-const HEIGHT_UNITS = 21845.0;
-const SLOPE_UNITS = 127.0;
+const HEIGHT_UNITS = 170.0;
+const SLOPE_UNITS = 63.0;
 
-fn pack_plane(plane: Plane) -> vec2u {
-    let height = u32(clamp(round(plane.height * HEIGHT_UNITS) + 32768.0, 0.0, 65535.0));
-    let slope = vec2u(clamp(round(plane.slope * SLOPE_UNITS) + 128.0, vec2f(0.0), vec2f(255.0)));
-    return vec2u(height | (slope.x << 16) | (slope.y << 24), plane.covered);
+fn packed_height(height: f32) -> u32 {
+    return u32(clamp(round(height * HEIGHT_UNITS) + 256.0, 0.0, 511.0));
 }
 
-fn unpack_plane(words: vec2u) -> Plane {
-    let height = (f32(words.x & 0xffff) - 32768.0) / HEIGHT_UNITS;
-    let slope = (vec2f(vec2u(words.x >> 16, words.x >> 24) & vec2u(255)) - 128.0) / SLOPE_UNITS;
-    return Plane(height, slope, words.y);
+fn pack_sheets(sheets: Sheets) -> vec2u {
+    let slope = vec2u(clamp(round(sheets.slope * SLOPE_UNITS) + 64.0, vec2f(0.0), vec2f(127.0)));
+    let heights = packed_height(sheets.high) | (packed_height(sheets.low) << 9);
+    return vec2u(heights | (slope.x << 18) | (slope.y << 25), sheets.covered);
+}
+
+fn unpack_sheets(words: vec2u) -> Sheets {
+    let height = (vec2f(vec2u(words.x, words.x >> 9) & vec2u(511)) - 256.0) / HEIGHT_UNITS;
+    let slope = (vec2f(vec2u(words.x >> 18, words.x >> 25) & vec2u(127)) - 64.0) / SLOPE_UNITS;
+    return Sheets(height.x, height.y, slope, words.y);
 }
 
 // Not unit: 1 along the axis.
-fn plane_normal(plane: Plane, axis: u32) -> vec3f {
-    let s = plane.slope;
+fn sheet_normal(sheets: Sheets, axis: u32) -> vec3f {
+    let s = sheets.slope;
     switch axis {
         case 0: { return vec3f(1.0, -s.x, -s.y); }
         case 1: { return vec3f(-s.y, 1.0, -s.x); }
@@ -62,17 +66,17 @@ fn unswizzled(at: vec2f, height: f32, axis: u32) -> vec3f {
     }
 }
 
-// The mean point of what is covered, moved into the voxel.
-fn middle_of(plane: Plane, axis: u32) -> vec3f {
+// The mean point of what is covered, on a sheet of this height, moved into the voxel.
+fn middle_of(sheets: Sheets, height: f32, axis: u32) -> vec3f {
     var sum = vec2f(0.0);
     for (var i = 0u; i < SQUARES * SQUARES; i++) {
-        if (((plane.covered >> i) & 1) != 0) {
+        if (((sheets.covered >> i) & 1) != 0) {
             sum += vec2f(vec2u(i % SQUARES, i / SQUARES));
         }
     }
-    let count = f32(max(countOneBits(plane.covered & ALL_SQUARES), 1u));
+    let count = f32(max(countOneBits(sheets.covered & ALL_SQUARES), 1u));
     let at = (sum / count + 0.5) / f32(SQUARES) - 0.5;
-    return unswizzled(at, clamp(plane.height + dot(plane.slope, at), -0.5, 0.5), axis);
+    return unswizzled(at, clamp(height + dot(sheets.slope, at), -0.5, 0.5), axis);
 }
 
 // How far a triangle's edge from a to b leaves a square inside, at most: negative where the square is outside. `facing` is
