@@ -99,13 +99,13 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
         return;
     }
     let weight = visitor.weight;
-    let metallic = roughness_metallic(material, f.uv, f.lod).y;
+    let shine = roughness_metallic(material, f.uv, f.lod);
     let slot = voxel_slot(cell);
     add_sheet(visitor, cell, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
-    add_reflectance(first + 2, saturate(total_reflectance(color.rgb, metallic)), weight);
+    add_reflectance(first + 2, saturate(total_reflectance(color.rgb, shine.y, shine.x)), weight);
     // Positive and negative parts have words of their own.
     let n = fragment_normal(visitor.corners, f, material) * weight;
     let negative = select(vec3u(0), vec3u(3), n < vec3f(0.0));
