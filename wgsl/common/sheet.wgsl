@@ -103,8 +103,8 @@ fn covered_squares(v: array<vec2f, 3>, facing: f32) -> u32 {
     var covered = 0u;
     for (var i = 0u; i < SQUARES * SQUARES; i++) {
         let centre = (vec2f(vec2u(i % SQUARES, i / SQUARES)) + 0.5) * side - 0.5;
-        let touches = all(low <= centre + 0.5 * side) && all(high >= centre - 0.5 * side);
-        if (touches && inside_edges(v, facing, centre, 0.5 * side) >= 0.0) {
+        let touches = all(low <= centre) && all(high >= centre);
+        if (touches && inside_edges(v, facing, centre, 0.0) >= 0.0) {
             covered |= 1u << i;
         }
     }

@@ -6,7 +6,7 @@ import package::common::side::{SIDES, sheets};
 import package::common::voxels::voxel_slot;
 
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
-const OVERLAP = 0.1;
+const OVERLAP = 0.03;
 // A surface is the one that a ray leaves where its plane is so near to where the ray begins, and so parallel.
 const SAME_PLANE = 1.0;
 const PARALLEL = 0.8;
