@@ -79,6 +79,13 @@ fn middle_of(sheets: Sheets, height: f32, axis: u32) -> vec3f {
     return unswizzled(at, clamp(height + dot(sheets.slope, at), -0.5, 0.5), axis);
 }
 
+// The covered squares that have no uncovered one beside them in the voxel.
+fn inner_squares(covered: u32) -> u32 {
+    let columns = ((covered << 1) | 0x108421u) & ((covered >> 1) | 0x1084210u);
+    let rows = ((covered << 5) | 0x1fu) & ((covered >> 5) | 0x1f00000u);
+    return covered & columns & rows;
+}
+
 // How far a triangle's edge from a to b leaves a square inside, at most: negative where the square is outside. `facing` is
 // positive where the corners turn from x to y.
 fn inside_edge(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> f32 {

@@ -1,7 +1,7 @@
 // What a ray meets in an occupied cell: the sheets of the cell's surfaces, as far as they are there.
 
 import package::common::ray::{Passage, Ray, RayHit, Tangent};
-import package::common::sheet::{FRONT_HIGH, TWO_SIDED, sheet_normal, square_at, unpack_sheets};
+import package::common::sheet::{FRONT_HIGH, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheets};
 import package::common::side::{SIDES, sheets};
 import package::common::voxels::voxel_slot;
 
@@ -40,11 +40,13 @@ fn meets(ray: Ray, cell: vec3u, passage: Passage, hit: ptr<function, RayHit>) ->
         let towards = dot(normal, ray.direction);
         let t = (height - dot(normal, origin)) / towards;
         let at = origin + t * ray.direction;
-        if (!(t > 0.0 && t < nearest) || any(abs(at) > vec3f(0.5 + OVERLAP)) || (words.y & square_at(at, axis)) == 0) {
-            continue;
-        }
         let met = 2 * axis + select(1u, 0u, towards < 0.0);
         let shown = met == i || (words.y & TWO_SIDED) != 0;
+        // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind.
+        let there = select(inner_squares(words.y), words.y, shown);
+        if (!(t > 0.0 && t < nearest) || any(abs(at) > vec3f(0.5 + OVERLAP)) || (there & square_at(at, axis)) == 0) {
+            continue;
+        }
         let of_left = t < NEAR && is_of(normal, centre, height, ray.left);
         let of_goal = ray.reach - t < NEAR && is_of(normal, centre, height, ray.goal);
         // Where a mean plane lies over the surface itself, a ray begins behind it, and leaves by its back.
