@@ -1,49 +1,52 @@
-// A voxel's surfaces as pieces of planes: for each axis k that any of them face most a sheet with its front towards +k, one with its
-// front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
-// slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of the sheets is there.
+// A voxel's surfaces as pieces of planes, sheets: for each axis k that any of them face most one with its front towards +k, one
+// with its front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
+// slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of it is there.
 
-struct Sheets {
-    // Of the sheet with its front towards +k, and of that towards −k: each in [−1.5, 1.5], to touch the voxel.
-    high: f32,
-    low: f32,
-    // Of both, each in [−1, 1].
+struct Sheet {
+    // In [−1.5, 1.5], to touch the voxel.
+    height: f32,
+    // Each in [−1, 1].
     slope: vec2f,
-    // A bit for each square, and those below. 0 where no surface faces along the axis.
-    covered: u32,
+    // 0, 1, 2.
+    axis: u32,
+    // A bit for each square, and those below.
+    bits: u32,
 }
 
 // Squares along a side of the voxel's face.
 const SQUARES = 5u;
 const ALL_SQUARES = 0x1ffffffu;
-// Whether there is a sheet with its front towards +k, and one towards −k.
-const FRONT_HIGH = 0x20000000u;
-const FRONT_LOW = 0x40000000u;
-// Whether a surface shows its back as well.
-const TWO_SIDED = 0x80000000u;
+// The front looks towards −k.
+const LOW = 0x8000000u;
+// The back is shown as well.
+const TWO_SIDED = 0x10000000u;
+// The back has a radiance of its own: no other sheet of the voxel has its front there.
+const HAS_BACK = 0x20000000u;
+// Another of the voxel's sheets follows.
+const MORE = 0x40000000u;
+// There is a sheet.
+const THERE = 0x80000000u;
+const AXIS_SHIFT = 25u;
 
-const HEIGHT_UNITS = 170.0;
-const SLOPE_UNITS = 63.0;
+const HEIGHT_UNITS = 21845.0;
+const SLOPE_UNITS = 127.0;
 
-fn packed_height(height: f32) -> u32 {
-    return u32(clamp(round(height * HEIGHT_UNITS) + 256.0, 0.0, 511.0));
+fn pack_sheet(sheet: Sheet) -> vec2u {
+    let height = u32(clamp(round(sheet.height * HEIGHT_UNITS) + 32768.0, 0.0, 65535.0));
+    let slope = vec2u(clamp(round(sheet.slope * SLOPE_UNITS) + 128.0, vec2f(0.0), vec2f(255.0)));
+    return vec2u(height | (slope.x << 16) | (slope.y << 24), sheet.bits | (sheet.axis << AXIS_SHIFT));
 }
 
-fn pack_sheets(sheets: Sheets) -> vec2u {
-    let slope = vec2u(clamp(round(sheets.slope * SLOPE_UNITS) + 64.0, vec2f(0.0), vec2f(127.0)));
-    let heights = packed_height(sheets.high) | (packed_height(sheets.low) << 9);
-    return vec2u(heights | (slope.x << 18) | (slope.y << 25), sheets.covered);
-}
-
-fn unpack_sheets(words: vec2u) -> Sheets {
-    let height = (vec2f(vec2u(words.x, words.x >> 9) & vec2u(511)) - 256.0) / HEIGHT_UNITS;
-    let slope = (vec2f(vec2u(words.x >> 18, words.x >> 25) & vec2u(127)) - 64.0) / SLOPE_UNITS;
-    return Sheets(height.x, height.y, slope, words.y);
+fn unpack_sheet(words: vec2u) -> Sheet {
+    let height = (f32(words.x & 0xffff) - 32768.0) / HEIGHT_UNITS;
+    let slope = (vec2f(vec2u(words.x >> 16, words.x >> 24) & vec2u(255)) - 128.0) / SLOPE_UNITS;
+    return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y);
 }
 
 // Not unit: 1 along the axis.
-fn sheet_normal(sheets: Sheets, axis: u32) -> vec3f {
-    let s = sheets.slope;
-    switch axis {
+fn sheet_normal(sheet: Sheet) -> vec3f {
+    let s = sheet.slope;
+    switch sheet.axis {
         case 0: { return vec3f(1.0, -s.x, -s.y); }
         case 1: { return vec3f(-s.y, 1.0, -s.x); }
         default: { return vec3f(-s.x, -s.y, 1.0); }
@@ -66,17 +69,18 @@ fn unswizzled(at: vec2f, height: f32, axis: u32) -> vec3f {
     }
 }
 
-// The mean point of what is covered, on a sheet of this height, moved into the voxel.
-fn middle_of(sheets: Sheets, height: f32, axis: u32) -> vec3f {
-    var sum = vec2f(0.0);
-    for (var i = 0u; i < SQUARES * SQUARES; i++) {
-        if (((sheets.covered >> i) & 1) != 0) {
-            sum += vec2f(vec2u(i % SQUARES, i / SQUARES));
+// The mean point of what is covered, moved into the voxel.
+fn middle_of(sheet: Sheet) -> vec3f {
+    let covered = sheet.bits & ALL_SQUARES;
+    var at = vec2f(0.0);
+    if (covered != ALL_SQUARES && covered != 0) {
+        var sum = vec2f(0.0);
+        for (var i = 0u; i < SQUARES * SQUARES; i++) {
+            sum += select(vec2f(0.0), vec2f(vec2u(i % SQUARES, i / SQUARES)), ((covered >> i) & 1) != 0);
         }
+        at = (sum / f32(countOneBits(covered)) + 0.5) / f32(SQUARES) - 0.5;
     }
-    let count = f32(max(countOneBits(sheets.covered & ALL_SQUARES), 1u));
-    let at = (sum / count + 0.5) / f32(SQUARES) - 0.5;
-    return unswizzled(at, clamp(height + dot(sheets.slope, at), -0.5, 0.5), axis);
+    return unswizzled(at, clamp(sheet.height + dot(sheet.slope, at), -0.5, 0.5), sheet.axis);
 }
 
 // The covered squares that have no uncovered one beside them in the voxel.

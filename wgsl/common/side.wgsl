@@ -1,41 +1,51 @@
-// The sides of a voxel's surfaces: for each axis k that towards +k and that towards −k, as far as they are shown. Each has a
-// radiance of its own.
+// The sides of a voxel's surfaces, each with a radiance of its own: for each axis k that towards +k and that towards −k.
 
 import package::common::attributes::VoxelSurface;
-import package::common::sheet::{FRONT_HIGH, FRONT_LOW, TWO_SIDED, middle_of, sheet_normal, unpack_sheets};
+import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, middle_of, sheet_normal, unpack_sheet};
 import package::common::trace::Apex;
 
-// Three of each voxel, axis after axis.
+// As many of each voxel as it may have, those that are there first.
 var<storage, read> sheets: array<vec2u>;
 
-// Number 2k looks towards +k, number 2k + 1 towards −k.
+const SHEETS = 6u;
 const SIDES = 6u;
 
-// Whether a side is the front of a sheet or, where surfaces have two sides, the back of the other sheet.
-fn side_shown(covered: u32, index: u32) -> bool {
-    let front = FRONT_HIGH << (index & 1);
-    return (covered & front) != 0 || ((covered & TWO_SIDED) != 0 && (covered & (FRONT_HIGH | FRONT_LOW)) != 0);
+// Number 2k looks towards +k, number 2k + 1 towards −k.
+fn side_number(bits: u32, back: bool) -> u32 {
+    return 2 * ((bits >> AXIS_SHIFT) & 3) + select(0u, 1u, ((bits & LOW) != 0) != back);
 }
 
-fn has_sheets(slot: u32) -> bool {
-    return (sheets[3 * slot].y | sheets[3 * slot + 1].y | sheets[3 * slot + 2].y) != 0;
+// A side as light arrives at it.
+struct Side {
+    // In all voxels' sides.
+    index: u32,
+    apex: Apex,
 }
 
-// A side as light arrives at it: false where there is none. Too little of a surface for a sheet counts as the first side, along the
-// mean normal.
-fn side_apex(cell: vec3u, slot: u32, surface: VoxelSurface, index: u32, turn: f32, apex: ptr<function, Apex>) -> bool {
+// Goes to the next side that a voxel shows; `at` begins with 0. False after the last.
+fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, turn: f32, at: ptr<function, u32>, side: ptr<function, Side>) -> bool {
     let centre = vec3f(cell) + 0.5;
-    let axis = index / 2;
-    let words = sheets[3 * slot + axis];
-    if (words.y == 0) {
-        *apex = Apex(centre, surface.normal, turn);
-        return index == 0 && !has_sheets(slot) && any(surface.normal != vec3f(0.0));
+    // Even: the front of a sheet. Odd: its back.
+    var step = *at;
+    var words = sheets[SHEETS * slot + step / 2];
+    if (step == 0 && words.y == 0) {
+        // Too little of a surface for a sheet: one side along the mean normal.
+        *at = 2 * SHEETS;
+        *side = Side(SIDES * slot, Apex(centre, surface.normal, turn));
+        return any(surface.normal != vec3f(0.0));
     }
-    let pair = unpack_sheets(words);
-    let up = normalize(sheet_normal(pair, axis));
-    let low = (index & 1) == 1;
-    let own = (words.y & (FRONT_HIGH << (index & 1))) != 0;
-    let height = select(pair.high, pair.low, low == own);
-    *apex = Apex(centre + middle_of(pair, height, axis), select(up, -up, low), turn);
-    return side_shown(words.y, index);
+    if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
+        step += 1;
+    }
+    if (step >= 2 * SHEETS || ((step & 1) == 0 && step > 0 && (sheets[SHEETS * slot + step / 2 - 1].y & MORE) == 0)) {
+        return false;
+    }
+    words = sheets[SHEETS * slot + step / 2];
+    *at = step + 1;
+    let back = (step & 1) == 1;
+    let sheet = unpack_sheet(words);
+    let number = side_number(words.y, back);
+    let up = normalize(sheet_normal(sheet));
+    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), turn));
+    return true;
 }

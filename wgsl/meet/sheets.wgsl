@@ -1,9 +1,8 @@
 // What a ray meets in an occupied cell: the sheets of the cell's surfaces, as far as they are there.
 
 import package::common::ray::{Passage, Ray, RayHit, Tangent};
-import package::common::sheet::{FRONT_HIGH, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheets};
-import package::common::side::{SIDES, sheets};
-import package::common::voxels::voxel_slot;
+import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet};
+import package::common::side::{SHEETS, SIDES, sheets, side_number};
 
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;
@@ -20,46 +19,40 @@ fn is_of(normal: vec3f, centre: vec3f, height: f32, surface: Tangent) -> bool {
     return abs(distance) * per_length < SAME_PLANE && abs(dot(normal, surface.normal)) * per_length > PARALLEL;
 }
 
-fn meets(ray: Ray, cell: vec3u, passage: Passage, hit: ptr<function, RayHit>) -> bool {
-    let slot = voxel_slot(cell);
+fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, RayHit>) -> bool {
     let centre = vec3f(cell) + 0.5;
     let origin = ray.origin - centre;
     var nearest = ray.reach;
-    var empty = true;
-    // Of each axis the sheet with its front towards +, then that towards −.
-    for (var i = 0u; i < 6; i++) {
-        let axis = i / 2;
-        let words = sheets[3 * slot + axis];
-        empty &= words.y == 0;
-        if ((words.y & (FRONT_HIGH << (i & 1))) == 0) {
-            continue;
+    for (var i = 0u; i < SHEETS; i++) {
+        let words = sheets[SHEETS * slot + i];
+        if (words.y == 0) {
+            // Too little of a surface for a sheet: all of the cell.
+            *hit = RayHit(true, passage.enter, cell, passage.normal, SIDES * slot, true);
+            return true;
         }
-        let pair = unpack_sheets(words);
-        let height = select(pair.high, pair.low, (i & 1) == 1);
-        let normal = sheet_normal(pair, axis);
+        let sheet = unpack_sheet(words);
+        let normal = sheet_normal(sheet);
         let towards = dot(normal, ray.direction);
-        let t = (height - dot(normal, origin)) / towards;
+        let t = (sheet.height - dot(normal, origin)) / towards;
         let at = origin + t * ray.direction;
-        let met = 2 * axis + select(1u, 0u, towards < 0.0);
-        let shown = met == i || (words.y & TWO_SIDED) != 0;
+        let from_behind = (towards > 0.0) == ((words.y & LOW) == 0);
+        let shown = !from_behind || (words.y & TWO_SIDED) != 0;
         // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind.
         let there = select(inner_squares(words.y), words.y, shown);
-        if (!(t > 0.0 && t < nearest) || any(abs(at) > vec3f(0.5 + OVERLAP)) || (there & square_at(at, axis)) == 0) {
-            continue;
+        if (t > 0.0 && t < nearest && all(abs(at) <= vec3f(0.5 + OVERLAP)) && (there & square_at(at, sheet.axis)) != 0) {
+            let of_left = t < NEAR && is_of(normal, centre, sheet.height, ray.left);
+            let of_goal = ray.reach - t < NEAR && is_of(normal, centre, sheet.height, ray.goal);
+            // Where a mean plane lies over the surface itself, a ray begins behind it, and leaves by its back.
+            let behind = !shown && t < 1.0;
+            if (!of_left && !of_goal && !behind) {
+                nearest = t;
+                let number = side_number(words.y, from_behind);
+                *hit = RayHit(true, t, cell, select(normal, -normal, towards > 0.0), SIDES * slot + number, shown);
+            }
         }
-        let of_left = t < NEAR && is_of(normal, centre, height, ray.left);
-        let of_goal = ray.reach - t < NEAR && is_of(normal, centre, height, ray.goal);
-        // Where a mean plane lies over the surface itself, a ray begins behind it, and leaves by its back.
-        let behind = !shown && t < 1.0;
-        if (of_left || of_goal || behind) {
-            continue;
+        if ((words.y & MORE) == 0) {
+            break;
         }
-        nearest = t;
-        *hit = RayHit(true, t, cell, select(normal, -normal, towards > 0.0), SIDES * slot + met, shown);
     }
-    if (empty) {
-        // Too little of a surface for a sheet: all of the cell.
-        *hit = RayHit(true, passage.enter, cell, passage.normal, SIDES * slot, true);
-    }
-    return nearest < ray.reach || empty;
+    return nearest < ray.reach;
 }

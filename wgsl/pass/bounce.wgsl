@@ -4,8 +4,8 @@
 import package::common::attributes::voxel_surface;
 import package::common::dispatch::dispatch_index;
 import package::common::radiance::pack_radiance;
-import package::common::side::{SIDES, side_apex};
-import package::common::trace::{Apex, hemisphere_lobe, reach_of};
+import package::common::side::{Side, next_side};
+import package::common::trace::{hemisphere_lobe, reach_of};
 import package::common::turn::turn_at;
 import package::common::voxels::level_cell;
 import package::tracer::trace::trace_gather;
@@ -21,12 +21,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let turn = turn_at(cell.xy ^ cell.zz);
-    for (var i = 0u; i < SIDES; i++) {
-        var apex: Apex;
-        if (side_apex(cell, slot, surface, i, turn, &apex)) {
-            // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
-            let arriving = trace_gather(apex, hemisphere_lobe(apex.normal), reach_of(1e30)).radiance;
-            bounced[SIDES * slot + i] = pack_radiance(surface.albedo * arriving);
-        }
+    var at = 0u;
+    var side: Side;
+    while (next_side(cell, slot, surface, turn, &at, &side)) {
+        // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
+        let arriving = trace_gather(side.apex, hemisphere_lobe(side.apex.normal), reach_of(1e30)).radiance;
+        bounced[side.index] = pack_radiance(surface.albedo * arriving);
     }
 }

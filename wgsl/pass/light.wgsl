@@ -9,7 +9,7 @@ import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::ray::{Ray, Tangent, arrive, leave};
 import package::common::radiance::pack_radiance;
-import package::common::side::{SIDES, side_apex};
+import package::common::side::{Side, next_side};
 import package::common::trace::Apex;
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
@@ -69,10 +69,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let surface = voxel_surface(slot);
     let turn = turn_at(cell.xy ^ cell.zz);
-    for (var i = 0u; i < SIDES; i++) {
-        var apex: Apex;
-        if (side_apex(cell, slot, surface, i, turn, &apex)) {
-            direct[SIDES * slot + i] = pack_radiance(surface.emission + surface.albedo / PI * irradiance(apex));
-        }
+    var at = 0u;
+    var side: Side;
+    while (next_side(cell, slot, surface, turn, &at, &side)) {
+        direct[side.index] = pack_radiance(surface.emission + surface.albedo / PI * irradiance(side.apex));
     }
 }

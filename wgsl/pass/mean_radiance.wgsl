@@ -1,9 +1,9 @@
 // One radiance for each voxel from those of its sides, as storage formats take it.
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{ALL_SQUARES, FRONT_HIGH, FRONT_LOW, sheet_normal, unpack_sheets};
+import package::common::sheet::{ALL_SQUARES, HAS_BACK, MORE, sheet_normal, unpack_sheet};
 import package::common::radiance::unpack_radiance;
-import package::common::side::{SIDES, has_sheets, sheets, side_shown};
+import package::common::side::{SHEETS, SIDES, sheets, side_number};
 import package::common::voxels::level_cell;
 
 var<storage, read> side_radiance: array<u32>;
@@ -17,18 +17,22 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     var sum = vec4f(0.0);
-    for (var i = 0u; i < SIDES; i++) {
-        let words = sheets[3 * slot + i / 2];
-        if (side_shown(words.y, i)) {
-            // A surface of two sides sends what either does, by its area; two surfaces send their mean.
-            let fronts = countOneBits(words.y & (FRONT_HIGH | FRONT_LOW));
-            let sides = select(1u, 2u, side_shown(words.y, i ^ 1));
-            let area = f32(countOneBits(words.y & ALL_SQUARES)) * length(sheet_normal(unpack_sheets(words), i / 2));
-            sum += area * vec4f(unpack_radiance(side_radiance[SIDES * slot + i]), f32(fronts) / f32(sides));
+    for (var i = 0u; i < SHEETS; i++) {
+        let words = sheets[SHEETS * slot + i];
+        if (words.y == 0) {
+            sum = vec4f(unpack_radiance(side_radiance[SIDES * slot]), 1.0);
+            break;
+        }
+        let area = f32(max(countOneBits(words.y & ALL_SQUARES), 1u)) * length(sheet_normal(unpack_sheet(words)));
+        var sent = unpack_radiance(side_radiance[SIDES * slot + side_number(words.y, false)]);
+        if ((words.y & HAS_BACK) != 0) {
+            // One value stands for both sides: what either sends.
+            sent += unpack_radiance(side_radiance[SIDES * slot + side_number(words.y, true)]);
+        }
+        sum += area * vec4f(sent, 1.0);
+        if ((words.y & MORE) == 0) {
+            break;
         }
     }
-    if (!has_sheets(slot)) {
-        sum = vec4f(unpack_radiance(side_radiance[SIDES * slot]), 1.0);
-    }
-    slot_radiance[slot] = vec4f(sum.rgb / max(sum.a, 1e-6), 1.0);
+    slot_radiance[slot] = vec4f(sum.rgb / sum.a, 1.0);
 }

@@ -1,29 +1,19 @@
 // Each voxel's sheets from what its triangles added up, packed (see common/sheet.wgsl).
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{Sheets, pack_sheets};
+import package::common::sheet::{HAS_BACK, LOW, MORE, Sheet, THERE, TWO_SIDED, pack_sheet};
 import package::common::voxels::level_cell;
 
 // For each axis: weights of fronts towards + and −, their heights, two slopes, and the bits.
 var<storage, read> sheet_sums: array<u32>;
-// For each axis.
+// As many of each voxel as it may have: see common/side.wgsl.
 var<storage, read_write> sheets: array<vec2u>;
 
 const SHEET_STRIDE = 21u;
+const SHEETS = 6u;
 
 fn sum_at(index: u32) -> f32 {
     return f32(sheet_sums[index]);
-}
-
-fn mean_sheets(first: u32) -> vec2u {
-    let weight = vec2f(sum_at(first), sum_at(first + 1));
-    let all = weight.x + weight.y;
-    if (all == 0.0) {
-        return vec2u(0);
-    }
-    let height = 3.0 * vec2f(sum_at(first + 2), sum_at(first + 3)) / max(weight, vec2f(1.0)) - 1.5;
-    let slope = 2.0 * vec2f(sum_at(first + 4), sum_at(first + 5)) / all - 1.0;
-    return pack_sheets(Sheets(height.x, height.y, slope, sheet_sums[first + 6]));
 }
 
 @compute @workgroup_size(64)
@@ -33,7 +23,28 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (!level_cell(slot, 0, &cell)) {
         return;
     }
-    for (var axis = 0u; axis < 3; axis++) {
-        sheets[3 * slot + axis] = mean_sheets(slot * SHEET_STRIDE + 7 * axis);
+    var count = 0u;
+    for (var i = 0u; i < SHEETS; i++) {
+        let first = slot * SHEET_STRIDE + 7 * (i / 2);
+        let low = i & 1;
+        let weight = sum_at(first + low);
+        if (weight == 0.0) {
+            continue;
+        }
+        let other = sum_at(first + 1 - low);
+        let height = 3.0 * sum_at(first + 2 + low) / weight - 1.5;
+        let slope = 2.0 * vec2f(sum_at(first + 4), sum_at(first + 5)) / (weight + other) - 1.0;
+        var bits = sheet_sums[first + 6] | THERE | select(0u, LOW, low == 1);
+        if ((bits & TWO_SIDED) != 0 && other == 0.0) {
+            bits |= HAS_BACK;
+        }
+        if (count > 0) {
+            sheets[SHEETS * slot + count - 1].y |= MORE;
+        }
+        sheets[SHEETS * slot + count] = pack_sheet(Sheet(height, slope, i / 2, bits));
+        count++;
+    }
+    if (count == 0) {
+        sheets[SHEETS * slot] = vec2u(0);
     }
 }

@@ -2,7 +2,7 @@
 
 import package::common::dispatch::dispatch_index;
 import package::common::radiance::{pack_radiance, unpack_radiance};
-import package::common::side::{SIDES, has_sheets, sheets, side_shown};
+import package::common::side::SIDES;
 import package::common::voxels::level_cell;
 
 var<storage, read> direct: array<u32>;
@@ -19,12 +19,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     for (var i = 0u; i < SIDES; i++) {
         let index = SIDES * slot + i;
-        if (side_shown(sheets[3 * slot + i / 2].y, i) || (i == 0 && !has_sheets(slot))) {
-            var sent = direct[index];
-            if (HAS_GATHERED) {
-                sent = pack_radiance(unpack_radiance(sent) + unpack_radiance(gathered[index]));
-            }
-            side_radiance[index] = sent;
+        // Sides that aren't shown hold what nobody reads.
+        var sent = direct[index];
+        if (HAS_GATHERED) {
+            sent = pack_radiance(unpack_radiance(sent) + unpack_radiance(gathered[index]));
         }
+        side_radiance[index] = sent;
     }
 }

@@ -6,7 +6,7 @@ import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average
 import package::common::grid::grid;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
-import package::common::sheet::{FRONT_HIGH, TWO_SIDED, covered_squares};
+import package::common::sheet::{TWO_SIDED, covered_squares};
 import package::common::reflectance::total_reflectance;
 import package::common::triangle_box::{swizzle, unswizzle};
 import package::common::voxels::{is_occupied, voxel_slot};
@@ -60,7 +60,7 @@ fn add_sheet(visitor: Visitor, cell: vec3u, slot: u32) {
     atomicAdd(&sheet_sums[first + 2 + low], sums.x);
     atomicAdd(&sheet_sums[first + 4], sums.y);
     atomicAdd(&sheet_sums[first + 5], sums.z);
-    let sides = (FRONT_HIGH << low) | select(0u, TWO_SIDED, visitor.material.double_sided != 0);
+    let sides = select(0u, TWO_SIDED, visitor.material.double_sided != 0);
     atomicOr(&sheet_sums[first + 6], sides | covered_squares(array(v[0].xy, v[1].xy, v[2].xy), n.z));
 }
 

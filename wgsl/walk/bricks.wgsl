@@ -4,7 +4,7 @@
 
 import package::common::grid::{BRICK_SHIFT, cell_bit, cell_word, grid, level_size};
 import package::common::ray::{Passage, Ray, RayHit};
-import package::common::voxels::occupancy;
+import package::common::voxels::{occupancy, rank_in};
 import package::meet::meets;
 
 // Levels between those that a ray looks at: a word's brick is then as large as two cells of the next.
@@ -55,7 +55,7 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
         let high = low + (vec3i(1) << shift);
         let exits = (vec3f(select(low, high, forwards)) - origin) * inverse;
         passage.leave = min(exits.x, min(exits.y, exits.z));
-        if (occupied && meets(ray, vec3u(cell), passage, &hit)) {
+        if (occupied && meets(ray, here, rank_in(word, here, finest), passage, &hit)) {
             return hit;
         }
         let along = exits == vec3f(passage.leave);

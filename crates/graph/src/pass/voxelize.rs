@@ -27,7 +27,7 @@ const LISTED_WORDS: u32 = 16;
 const SHEET_STRIDE: u32 = 21;
 
 /// Bytes of a voxel's sheets: see wgsl/common/sheet.wgsl.
-pub(crate) const SHEET_BYTES: u64 = 24;
+pub(crate) const SHEET_BYTES: u64 = 6 * 8;
 
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
