@@ -43,6 +43,17 @@ fn ray_between(origin: vec3f, direction: vec3f, reach: f32) -> Ray {
     return Ray(origin, direction, reach, none, none);
 }
 
+// Planes so near to each other, and so parallel, are taken for one surface: voxels don't tell them apart.
+const SAME_PLANE = 1.0;
+const PARALLEL = 0.8;
+
+// Whether the plane where normal · q = offset is that of a surface.
+fn is_of(normal: vec3f, offset: f32, surface: Tangent) -> bool {
+    let per_length = inverseSqrt(dot(normal, normal));
+    let distance = (dot(normal, surface.point) - offset) * per_length;
+    return abs(distance) < SAME_PLANE && abs(dot(normal, surface.normal)) * per_length > PARALLEL;
+}
+
 // How far over its surface a ray begins: more than rounding takes, less than anything that touches the surface.
 const LIFT = 0.05;
 

@@ -1,23 +1,13 @@
 // What a ray meets in an occupied cell: the sheets of the cell's surfaces, as far as they are there.
 
-import package::common::ray::{Passage, Ray, RayHit, Tangent};
+import package::common::ray::{Passage, Ray, RayHit, is_of};
 import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet};
 import package::common::side::{SHEETS, SIDES, sheets, side_number};
 
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;
-// A surface is the one that a ray leaves where its plane is so near to where the ray begins, and so parallel.
-const SAME_PLANE = 1.0;
-const PARALLEL = 0.8;
-// And only so far from the apex.
+// How far from its apex a ray may still meet the surface that it leaves, or from its end the one that it runs up to.
 const NEAR = 3.0;
-
-// Whether a plane is that of a surface that the ray leaves or runs up to.
-fn is_of(normal: vec3f, centre: vec3f, height: f32, surface: Tangent) -> bool {
-    let per_length = inverseSqrt(dot(normal, normal));
-    let distance = dot(normal, surface.point - centre) - height;
-    return abs(distance) * per_length < SAME_PLANE && abs(dot(normal, surface.normal)) * per_length > PARALLEL;
-}
 
 fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, RayHit>) -> bool {
     let centre = vec3f(cell) + 0.5;
@@ -40,8 +30,8 @@ fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, 
         // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind.
         let there = select(inner_squares(words.y), words.y, shown);
         if (t > 0.0 && t < nearest && all(abs(at) <= vec3f(0.5 + OVERLAP)) && (there & square_at(at, sheet.axis)) != 0) {
-            let of_left = t < NEAR && is_of(normal, centre, sheet.height, ray.left);
-            let of_goal = ray.reach - t < NEAR && is_of(normal, centre, sheet.height, ray.goal);
+            let of_left = t < NEAR && is_of(normal, dot(normal, centre) + sheet.height, ray.left);
+            let of_goal = ray.reach - t < NEAR && is_of(normal, dot(normal, centre) + sheet.height, ray.goal);
             // Where a mean plane lies over the surface itself, a ray begins behind it, and leaves by its back.
             let behind = !shown && t < 1.0;
             if (!of_left && !of_goal && !behind) {

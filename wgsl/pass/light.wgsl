@@ -7,7 +7,7 @@ import package::common::grid::{cell_height, grid, from_voxel, to_voxel};
 import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
-import package::common::ray::{Ray, Tangent, arrive, leave};
+import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
 import package::common::radiance::pack_radiance;
 import package::common::side::{Side, next_side};
 import package::common::trace::Apex;
@@ -40,6 +40,10 @@ fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
         // The voxel may be behind a light of two sides.
         let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
         goal = Tangent(to_voxel(light.position), facing);
+        // A surface in the light's own voxels lies beside it, not before it.
+        if (is_of(apex.normal, dot(apex.normal, apex.position), goal)) {
+            return 0.0;
+        }
         reach = arrive(incidence.direction, origin.point, goal);
     }
     return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal), 0).found);
