@@ -6,14 +6,14 @@ import package::common::constants::TAU;
 import package::common::trace::{LOBE_CONE, LOBE_GGX, Lobe};
 
 struct TraceParams {
-    /// Rays of a trace, [1, 256]; 4 unless given.
+    /// Rays of a trace, [1, 256]; 2 unless given.
     rays: u32,
 }
 
 var<uniform> trace_params: TraceParams;
 
 // Sets in turns of [0, 1).
-const SETS = 16.0;
+const SETS = 64.0;
 
 // Of Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018): multiples of the powers of one over
 // the plastic number, modulo 1.

@@ -37,19 +37,22 @@ impl PassKind for Effect {
         if pass.checked_effect(&module).is_none() {
             return;
         }
-        // Shared by all of one size: each is read right after it is written.
-        let target = if interleave { pass.resource(&interleaved_name(extent, layers), kind) } else { image };
         pass.run("pass/effect")
             .mount("effect", &module)
             .mount("texel", texel_module(texel))
-            .writes("image", Target::Resource(target))
+            .writes("image", Target::Resource(image))
             .with("INTERLEAVE", interleave)
             .over(Over::Texels(image));
         if interleave {
-            pass.run("pass/interleave")
-                .reads("interleaved", Target::Resource(target))
-                .writes("image", Target::Resource(image))
-                .over(Over::Texels(image));
+            // Shared by all of one size: each is read right after it is written.
+            let between = pass.resource(&interleaved_name(extent, layers), kind);
+            for (from, to, apart) in [(image, between, false), (between, image, true)] {
+                pass.run("pass/interleave")
+                    .reads("interleaved", Target::Resource(from))
+                    .writes("image", Target::Resource(to))
+                    .with("APART", apart)
+                    .over(Over::Texels(image));
+            }
         }
     }
 }
