@@ -52,7 +52,8 @@ fn area_corners(light: Light) -> array<vec3f, 4> {
     return array(light.corners[0].xyz, light.corners[1].xyz, light.corners[2].xyz, light.corners[3].xyz);
 }
 
-fn area_incidence(corners: array<vec3f, 4>, light: Light, position: vec3f, normal: vec3f) -> Incidence {
+// A part of an area light by its corners; `irradiance` is what a part that lies before the surface gives.
+fn area_part(corners: array<vec3f, 4>, light: Light, position: vec3f, irradiance: vec3f) -> Incidence {
     let centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
     let offset = centre - position;
     let distance = max(length(offset), 1e-20);
@@ -61,11 +62,7 @@ fn area_incidence(corners: array<vec3f, 4>, light: Light, position: vec3f, norma
     let area = 0.5 * length(cross(corners[2] - corners[0], corners[3] - corners[1]));
     // The disc of the same solid angle, to first order.
     let tangent = sqrt(area * abs(facing) / PI) / distance;
-    var irradiance = vec3f(0.0);
-    if (facing > 0.0 || light.size > 0.0) {
-        irradiance = light.intensity * polygon_irradiance(corners, position, normal);
-    }
-    return Incidence(direction, distance, tangent, irradiance);
+    return Incidence(direction, distance, tangent, select(vec3f(0.0), irradiance, facing > 0.0 || light.size > 0.0));
 }
 
 fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
@@ -74,7 +71,8 @@ fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
         return Incidence(light.position, 1e30, light.size, light.intensity * cosine);
     }
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        return area_incidence(area_corners(light), light, position, normal);
+        let corners = area_corners(light);
+        return area_part(corners, light, position, light.intensity * polygon_irradiance(corners, position, normal));
     }
     let offset = light.position - position;
     // Within its sphere a light is no brighter than at its surface.

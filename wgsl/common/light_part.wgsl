@@ -1,7 +1,7 @@
 // A part of a light as seen from a point.
 
 import package::common::basis::basis_around;
-import package::common::light::{Incidence, Light, area_corners, area_incidence, HAS_AREA, LIGHT_AREA};
+import package::common::light::{Incidence, Light, area_corners, area_part, HAS_AREA, LIGHT_AREA};
 
 const GOLDEN_ANGLE = 2.39996323;
 
@@ -26,7 +26,7 @@ fn light_part(light: Light, whole: Incidence, sides: u32, turn: f32, position: v
             quad_point(corners, high.x, high.y),
             quad_point(corners, low.x, high.y),
         );
-        let incidence = area_incidence(part, light, position, normal);
+        let incidence = area_part(part, light, position, whole.irradiance);
         if (dot(incidence.direction, normal) > 0.0) {
             return incidence;
         }

@@ -2,7 +2,7 @@
 
 import package::common::attributes::VoxelSurface;
 import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, middle_of, sheet_normal, unpack_sheet};
-import package::common::trace::Apex;
+import package::common::trace::{Apex, Share};
 
 // As many of each voxel as it may have, those that are there first.
 var<storage, read> sheets: array<vec2u>;
@@ -23,7 +23,7 @@ struct Side {
 }
 
 // Goes to the next side that a voxel shows; `at` begins with 0. False after the last.
-fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, turn: f32, at: ptr<function, u32>, side: ptr<function, Side>) -> bool {
+fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: ptr<function, u32>, side: ptr<function, Side>) -> bool {
     let centre = vec3f(cell) + 0.5;
     // Even: the front of a sheet. Odd: its back.
     var step = *at;
@@ -31,7 +31,7 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, turn: f32, at: ptr<f
     if (step == 0 && words.y == 0) {
         // Too little of a surface for a sheet: one side along the mean normal.
         *at = 2 * SHEETS;
-        *side = Side(SIDES * slot, Apex(centre, surface.normal, turn));
+        *side = Side(SIDES * slot, Apex(centre, surface.normal, share));
         return any(surface.normal != vec3f(0.0));
     }
     if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
@@ -46,6 +46,6 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, turn: f32, at: ptr<f
     let sheet = unpack_sheet(words);
     let number = side_number(words.y, back);
     let up = normalize(sheet_normal(sheet));
-    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), turn));
+    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share));
     return true;
 }

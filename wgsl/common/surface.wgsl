@@ -2,7 +2,7 @@
 
 import package::common::camera::camera;
 import package::common::grid::to_voxel;
-import package::common::trace::Apex;
+import package::common::trace::{Apex, Share};
 
 var albedo: texture_2d<f32>;
 var normal: texture_2d<f32>;
@@ -28,14 +28,14 @@ struct Surface {
     pixel: vec2u,
     image_size: vec2u,
     layer: u32,
-    // [0, 1): which of the sets of directions that neighbouring pixels share out this one traces.
-    turn: f32,
+    // Of the directions that neighbouring pixels share out.
+    share: Share,
     // False where nothing is behind the pixel.
     hit: bool,
 }
 
 fn surface_apex(surface: Surface) -> Apex {
-    return Apex(surface.position_voxel, surface.normal_geometric, surface.turn);
+    return Apex(surface.position_voxel, surface.normal_geometric, surface.share);
 }
 
 fn camera_ray(pixel: vec2u) -> vec3f {

@@ -1,12 +1,25 @@
 // What every tracer is asked, and what it answers. Lengths are voxels of level 0.
 
+// Of the directions that neighbours share out: which of how many sets. A trace's own set is spread over all of its lobe, and
+// all sets together are spread evenly.
+struct Share {
+    index: u32,
+    count: u32,
+}
+
+const WHOLE = Share(0, 1);
+
+// Where the set lies among all, [0, 1).
+fn turn_of(share: Share) -> f32 {
+    return f32(share.index) / f32(share.count);
+}
+
 // Where a trace starts: on a surface, whose own voxels it must leave.
 struct Apex {
     position: vec3f,
     // Unit, of the surface itself.
     normal: vec3f,
-    // [0, 1): which of the sets of directions that neighbours share out this one traces.
-    turn: f32,
+    share: Share,
 }
 
 // The directions that a trace covers, and the weight of each. What comes of them is a mean over the lobe.

@@ -19,9 +19,9 @@ fn cell_rank(cell: vec3u, level: u32) -> u32 {
     return ranks[word] + countOneBits(occupancy[word] & ((1u << cell_bit(cell)) - 1));
 }
 
-// The same where the cell's word of the bitmask is at hand.
-fn rank_in(word: u32, cell: vec3u, level: u32) -> u32 {
-    return ranks[cell_word(cell, level)] + countOneBits(word & ((1u << cell_bit(cell)) - 1));
+// The same where the cell's word of the bitmask is at hand, and its index.
+fn rank_in(index: u32, word: u32, cell: vec3u) -> u32 {
+    return ranks[index] + countOneBits(word & ((1u << cell_bit(cell)) - 1));
 }
 
 fn voxel_slot(cell: vec3u) -> u32 {

@@ -7,7 +7,7 @@ import package::common::grid::{grid, to_voxel};
 import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
 import package::common::surface::{Surface, surface_apex};
-import package::common::trace::{cone_lobe, reach_of, reach_up_to};
+import package::common::trace::{cone_lobe, reach_of, reach_up_to, turn_of};
 import package::tracer::trace::trace_opacity;
 
 struct Params {
@@ -34,7 +34,7 @@ fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, param
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
     let whole = light_incidence(light, surface.position, surface.normal);
-    let part = light_part(light, whole, params.parts, surface.turn, surface.position, surface.normal_geometric);
+    let part = light_part(light, whole, params.parts, turn_of(surface.share), surface.position, surface.normal_geometric);
     return traced_visibility(surface, light, part, params);
 }
 

@@ -6,7 +6,7 @@ import package::common::dispatch::dispatch_index;
 import package::common::radiance::pack_radiance;
 import package::common::side::{Side, next_side};
 import package::common::trace::{hemisphere_lobe, reach_of};
-import package::common::turn::turn_at;
+import package::common::share::share_at;
 import package::common::voxels::level_cell;
 import package::tracer::trace::trace_gather;
 
@@ -20,10 +20,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let surface = voxel_surface(slot);
-    let turn = turn_at(cell.xy ^ cell.zz);
+    let share = share_at(cell.xy ^ cell.zz, 8);
     var at = 0u;
     var side: Side;
-    while (next_side(cell, slot, surface, turn, &at, &side)) {
+    while (next_side(cell, slot, surface, share, &at, &side)) {
         // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
         let arriving = trace_gather(side.apex, hemisphere_lobe(side.apex.normal), reach_of(1e30)).radiance;
         bounced[side.index] = pack_radiance(surface.albedo * arriving);

@@ -10,10 +10,10 @@ import package::common::shadow_map::shadow_map_visibility;
 import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
 import package::common::radiance::pack_radiance;
 import package::common::side::{Side, next_side};
-import package::common::trace::Apex;
+import package::common::trace::{Apex, turn_of};
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
-import package::common::turn::turn_at;
+import package::common::share::share_at;
 import package::walk::first_hit;
 
 struct Params {
@@ -58,7 +58,7 @@ fn irradiance(apex: Apex) -> vec3f {
         if (all(whole.irradiance <= vec3f(0.0))) {
             continue;
         }
-        let part = light_part(light, whole, params.parts, apex.turn, position, apex.normal);
+        let part = light_part(light, whole, params.parts, turn_of(apex.share), position, apex.normal);
         sum += whole.irradiance * visibility(light, part, apex);
     }
     return sum;
@@ -72,10 +72,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let surface = voxel_surface(slot);
-    let turn = turn_at(cell.xy ^ cell.zz);
+    let share = share_at(cell.xy ^ cell.zz, 8);
     var at = 0u;
     var side: Side;
-    while (next_side(cell, slot, surface, turn, &at, &side)) {
+    while (next_side(cell, slot, surface, share, &at, &side)) {
         direct[side.index] = pack_radiance(surface.emission + surface.albedo / PI * irradiance(side.apex));
     }
 }

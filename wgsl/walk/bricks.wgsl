@@ -2,7 +2,7 @@
 // Traversal Algorithm", 1987), down where a cell is occupied and up again where the ray leaves the coarser cell. Where all
 // of a word is empty, the ray passes its whole brick.
 
-import package::common::grid::{BRICK_SHIFT, cell_bit, cell_word, grid, level_size};
+import package::common::grid::{BRICK_SHIFT, brick_strides, cell_bit, grid, level_first_word, level_size};
 import package::common::ray::{Passage, Ray, RayHit};
 import package::common::voxels::{occupancy, rank_in};
 import package::meet::meets;
@@ -38,15 +38,21 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
     }
     var cell = clamp(vec3i(floor(origin + passage.enter * slope)), vec3i(0), size - 1);
     let top = min(TOP, (grid.level_count - 1 - finest) & ~1u);
-    var level = top;
+    // Near where it begins there may be its own surface.
+    var level = 0u;
+    var first = level_first_word(finest);
+    var strides = brick_strides(finest);
     // A straight line meets at most the sum of the grid's sides; for each cell it goes down and up at most once.
     let most = 2u * (grid.size.x + grid.size.y + grid.size.z) + 8u;
     for (var i = 0u; i < most; i++) {
         let here = vec3u(cell) >> vec3u(level);
-        let word = occupancy[cell_word(here, level + finest)];
+        let index = first + dot(here >> BRICK_SHIFT, strides);
+        let word = occupancy[index];
         let occupied = ((word >> cell_bit(here)) & 1) != 0;
         if (occupied && level > 0) {
             level -= STRIDE;
+            first = level_first_word(level + finest);
+            strides = brick_strides(level + finest);
             continue;
         }
         // The box that the ray passes: a cell, or a brick of empty ones.
@@ -55,7 +61,7 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
         let high = low + (vec3i(1) << shift);
         let exits = (vec3f(select(low, high, forwards)) - origin) * inverse;
         passage.leave = min(exits.x, min(exits.y, exits.z));
-        if (occupied && meets(ray, here, rank_in(word, here, finest), passage, &hit)) {
+        if (occupied && meets(ray, here, rank_in(index, word, here), passage, &hit)) {
             return hit;
         }
         let along = exits == vec3f(passage.leave);
@@ -66,7 +72,11 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
         }
         // Up where the coarser cell is left.
         let up = min(level + STRIDE, top);
-        level = select(level, up, any((next >> vec3u(up)) != (cell >> vec3u(up))));
+        if (up != level && any((next >> vec3u(up)) != (cell >> vec3u(up)))) {
+            level = up;
+            first = level_first_word(level + finest);
+            strides = brick_strides(level + finest);
+        }
         cell = next;
         passage.enter = passage.leave;
         passage.normal = select(vec3f(0.0), against, along);

@@ -39,7 +39,7 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
             let message = format!("unknown layers `{}`", layers.value);
             faults.push(pipeline.fault(&layers.span, message, "one of: lights (a layer for each four)"));
         }
-        if pass.interleave && pass.image.texel != ImageTexel::Rgba16Float {
+        if pass.interleave > 1 && pass.image.texel != ImageTexel::Rgba16Float {
             let message = format!("pass `{}` can't interleave {} texels", pass.name, pass.image.texel.name());
             faults.push(pipeline.fault(
                 &pass.image.span,

@@ -3,7 +3,7 @@
 import package::common::basis::basis_around;
 import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
 import package::common::environment::environment;
-import package::common::trace::{Apex, Gathered, LOBE_CONE, LOBE_GGX, LOBE_HEMISPHERE, Lobe, Reach};
+import package::common::trace::{Apex, Gathered, LOBE_CONE, LOBE_GGX, LOBE_HEMISPHERE, Lobe, Reach, turn_of};
 import package::tracer::composite::composite_cone;
 import package::tracer::cone::{Cone, cone_of};
 import package::tracer::step::trace_params;
@@ -42,7 +42,7 @@ fn lobe_cone(apex: Apex, lobe: Lobe, reach: Reach, index: u32) -> Cone {
     // A hemisphere keeps clear of the plane that it stands on, be that the surface's own or that of its shading.
     var upright = apex;
     upright.normal = lobe.axis;
-    let direction = basis_around(lobe.axis) * diffuse_direction(hemisphere_cones(apex.turn), index);
+    let direction = basis_around(lobe.axis) * diffuse_direction(hemisphere_cones(turn_of(apex.share)), index);
     return cone_of(upright, trace_params.start, direction, DIFFUSE_HALF_SINE, reach);
 }
 

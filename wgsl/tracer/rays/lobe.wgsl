@@ -1,19 +1,16 @@
-// Directions in a lobe. The sets that neighbours share out (see `Apex.turn`) are runs of one sequence, so that each is spread
+// Directions in a lobe. The sets that neighbours share out (see `Share`) are runs of one sequence, so that each is spread
 // evenly, and all of them together are.
 
 import package::common::basis::basis_around;
 import package::common::constants::TAU;
-import package::common::trace::{LOBE_CONE, LOBE_GGX, Lobe};
+import package::common::trace::{LOBE_CONE, LOBE_GGX, Lobe, Share};
 
 struct TraceParams {
-    /// Rays of a trace, [1, 256]; 2 unless given.
+    /// Rays of a trace, [1, 256]; 3 unless given.
     rays: u32,
 }
 
 var<uniform> trace_params: TraceParams;
-
-// Sets in turns of [0, 1).
-const SETS = 64.0;
 
 // Of Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018): multiples of the powers of one over
 // the plastic number, modulo 1.
@@ -48,8 +45,8 @@ fn visible_normal(u: vec2f, view: vec3f, alpha: f32) -> vec3f {
 }
 
 // Direction number `index` of a set's, unit.
-fn lobe_direction(lobe: Lobe, index: u32, turn: f32) -> vec3f {
-    let u = sequence(u32(turn * SETS) * trace_params.rays + index);
+fn lobe_direction(lobe: Lobe, index: u32, share: Share) -> vec3f {
+    let u = sequence(share.index * trace_params.rays + index);
     let basis = basis_around(lobe.axis);
     if (lobe.shape == LOBE_CONE) {
         return basis * cone_direction(u, lobe.width);

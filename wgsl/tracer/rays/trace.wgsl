@@ -13,7 +13,7 @@ var<storage, read> side_radiance: array<u32>;
 
 // What a ray of a trace meets. What lies below the surface is looked for above it, as in a mirror.
 fn shoot(apex: Apex, lobe: Lobe, reach: Reach, origin: Tangent, index: u32, direction: ptr<function, vec3f>) -> RayHit {
-    let wanted = lobe_direction(lobe, index, apex.turn);
+    let wanted = lobe_direction(lobe, index, apex.share);
     let below = min(dot(wanted, apex.normal), 0.0);
     *direction = wanted - 2.0 * below * apex.normal;
     let goal = Tangent(reach.point, reach.normal);

@@ -149,6 +149,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
         })
     }
 
+    /// Whether the pixels of an image that is planned share out directions.
+    pub(crate) fn is_interleaved(&self) -> bool {
+        let context = &*self.context;
+        context.pipeline.passes.iter().any(|entry| entry.interleave > 1 && context.is_live(entry))
+    }
+
     /// The tracer of the entry.
     pub fn tracer(&self) -> &'a Tracer {
         self.tracer

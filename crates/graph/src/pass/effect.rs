@@ -37,22 +37,30 @@ impl PassKind for Effect {
         if pass.checked_effect(&module).is_none() {
             return;
         }
+        // Shared by all of one size: each is read right after it is written.
+        let between =
+            |pass: &mut Expansion<'_, '_>| pass.resource(&interleaved_name(extent, layers), kind.clone());
+        let traced = if interleave == 4 { between(pass) } else { image };
         pass.run("pass/effect")
             .mount("effect", &module)
             .mount("texel", texel_module(texel))
-            .writes("image", Target::Resource(image))
+            .writes("image", Target::Resource(traced))
             .with("INTERLEAVE", interleave)
             .over(Over::Texels(image));
-        if interleave {
-            // Shared by all of one size: each is read right after it is written.
-            let between = pass.resource(&interleaved_name(extent, layers), kind);
-            for (from, to, apart) in [(image, between, false), (between, image, true)] {
-                pass.run("pass/interleave")
-                    .reads("interleaved", Target::Resource(from))
-                    .writes("image", Target::Resource(to))
-                    .with("APART", apart)
-                    .over(Over::Texels(image));
+        let means = match interleave {
+            8 => {
+                let between = between(pass);
+                vec![(image, between, false), (between, image, true)]
             }
+            4 => vec![(traced, image, false)],
+            _ => vec![],
+        };
+        for (from, to, apart) in means {
+            pass.run("pass/interleave")
+                .reads("interleaved", Target::Resource(from))
+                .writes("image", Target::Resource(to))
+                .with("APART", apart)
+                .over(Over::Texels(image));
         }
     }
 }

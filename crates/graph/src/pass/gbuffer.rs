@@ -2,7 +2,7 @@
 
 use super::{PassKind, Port, Sort};
 use crate::bundle::Bundle;
-use crate::expansion::{Expansion, screen_image};
+use crate::expansion::{Expansion, Over, screen_image};
 use crate::plan::{ImageTexel, Target};
 
 /// See [`PassKind::sentence`].
@@ -45,8 +45,16 @@ impl PassKind for Gbuffer {
         });
         let depth = pass.part("surface", "depth", screen_image(ImageTexel::Depth32, 1));
         bundle.add("depth", Target::Resource(depth));
+        let guide = pass.is_interleaved().then(|| {
+            let guide = pass.part("surface", "guide", screen_image(ImageTexel::Rgba32Float, 1));
+            bundle.add("guide", Target::Resource(guide));
+            guide
+        });
         pass.makes(bundle);
         pass.run("pass/gbuffer").with("HAS_EMISSION", emissive).draws(&colors, (depth, 0), true);
+        if let Some(guide) = guide {
+            pass.run("pass/guide").writes("image", Target::Resource(guide)).over(Over::Texels(guide));
+        }
         if !emissive {
             let [width, height] = pass.screen().map(u64::from);
             pass.leaves_out("emission image", "no material emits", 8 * width * height);

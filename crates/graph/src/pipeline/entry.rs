@@ -36,8 +36,8 @@ pub struct PassEntry {
     pub image: ImageWords,
     /// When it runs.
     pub update: Update,
-    /// Whether each tile of 4 × 4 pixels shares out the effect's directions, and the image is their mean.
-    pub interleave: bool,
+    /// Pixels along each side of a tile that share out the effect's directions: 4 or 8; 1 where each traces all.
+    pub interleave: u32,
     /// What its image's values are; light unless given.
     pub shows: Option<Located<Shows>>,
     /// What its image is held against; the finest setting compared unless given.
@@ -141,7 +141,7 @@ pub(super) fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntr
     let update = update(&mut fields, faults);
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
-    let interleave = fields.optional::<bool>("interleave", faults).unwrap_or(false);
+    let interleave = interleave(&mut fields, faults);
     let when = optional_word(&mut fields, "when", faults);
     let layers = optional_word(&mut fields, "layers", faults);
     let tracer = optional_word(&mut fields, "tracer", faults);
@@ -246,6 +246,21 @@ fn image_words(fields: &mut Fields<'_>, faults: &mut Faults) -> ImageWords {
         known
     });
     ImageWords { extent, texel: texel.unwrap_or(ImageTexel::Rgba16Float), span }
+}
+
+/// `interleave: 4` or `8`; `true` is 4. 1 where each pixel stands for itself.
+fn interleave(fields: &mut Fields<'_>, faults: &mut Faults) -> u32 {
+    let Some(node) = fields.node("interleave") else { return 1 };
+    match node.text() {
+        "false" => 1,
+        "true" | "4" => 4,
+        "8" => 8,
+        _ => {
+            let label = "4 or 8 pixels along each side of a tile; `true` is 4, `false` none";
+            faults.push(node.fault("unknown `interleave`", label));
+            1
+        }
+    }
 }
 
 /// `update: (every: N)` or `update: on_demand`.
