@@ -6,6 +6,9 @@ use wgpu::util::DeviceExt;
 
 use crate::gpu;
 
+/// What a kernel finds under a variable's name: the bytes of a buffer.
+pub type Input<'a> = (&'a str, &'a [u8]);
+
 /// Links a WGSL text, whose entry point `main` takes one workgroup and writes `var<storage, read_write> out:
 /// array<f32>`, and runs it. Besides it may use the modules' `volume_sampler`, and one texture, which is `texture`.
 ///
@@ -18,7 +21,22 @@ pub fn run_kernel(
     texture: Option<&wgpu::Texture>,
     count: usize,
 ) -> Vec<f32> {
-    let mut library = Library::builtin();
+    run_kernel_of(&Library::builtin(), text, mounts, constants, (texture, &[]), count)
+}
+
+/// The same over other modules, and with buffers.
+///
+/// # Panics
+/// The text is at fault, or the device.
+pub fn run_kernel_of(
+    library: &Library,
+    text: &str,
+    mounts: &[(&str, &str)],
+    constants: &[(&str, f64)],
+    (texture, inputs): (Option<&wgpu::Texture>, &[Input<'_>]),
+    count: usize,
+) -> Vec<f32> {
+    let mut library = library.clone();
     library.insert("kernel", Source::new("kernel.wgsl", text));
     let shader = link(&library, "kernel", mounts).and_then(voxlume::Linked::check);
     let shader = shader.unwrap_or_else(|faults| panic!("{faults}"));
@@ -42,6 +60,14 @@ pub fn run_kernel(
         contents: &contents,
         usage,
     });
+    let inputs: Vec<(&str, wgpu::Buffer)> = inputs
+        .iter()
+        .map(|(name, contents)| {
+            let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM;
+            let descriptor = wgpu::util::BufferInitDescriptor { label: None, contents, usage };
+            (*name, device.create_buffer_init(&descriptor))
+        })
+        .collect();
     let view = texture.map(|texture| texture.create_view(&Default::default()));
     let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
         mag_filter: wgpu::FilterMode::Linear,
@@ -53,7 +79,11 @@ pub fn run_kernel(
     {
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
+        let input = |name: &str| inputs.iter().find(|(known, _)| *known == name).map(|(_, buffer)| buffer);
         let resource = |name: &str| match (name, &view) {
+            (name, _) if input(name).is_some() => {
+                input(name).map(wgpu::Buffer::as_entire_binding).unwrap_or_else(|| panic!("`{name}`"))
+            }
             ("volume_sampler", _) => wgpu::BindingResource::Sampler(&sampler),
             ("out", _) => out.as_entire_binding(),
             (_, Some(view)) => wgpu::BindingResource::TextureView(view),

@@ -9,7 +9,7 @@ mod render;
 mod scenes;
 mod substrate;
 
-pub use kernel::{noise_volume, run_kernel};
+pub use kernel::{Input, noise_volume, run_kernel, run_kernel_of};
 pub use mutate::{mutated_bytes, mutated_text};
 pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
 pub use random::Random;

@@ -20,6 +20,8 @@ pub struct Substrate {
     pub levels: Vec<Run>,
     /// Fixed-point sums of each occupied voxel.
     pub attributes: Vec<u32>,
+    /// Fixed-point sums of each occupied voxel's sheets, and the sheets.
+    pub sheets: [Vec<u32>; 2],
 }
 
 /// One level's part of the list of cells.
@@ -95,6 +97,7 @@ impl Substrate {
             cells: held("cells", listed),
             levels: levels.collect(),
             attributes: held("attributes", voxels),
+            sheets: [held("sheet_sums", voxels), held("sheets", voxels)],
         }
     }
 

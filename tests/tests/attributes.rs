@@ -4,6 +4,7 @@
 
 use glam::{DAffine3, DMat3, DQuat, DVec3, EulerRot, UVec3, Vec2, Vec3, Vec4};
 use voxlume::scene::{Material, Mesh, Texture, TextureRef};
+use voxlume::twin::total_reflectance;
 use voxlume::{Camera, Request, Scene};
 use voxlume_tests::{Substrate, Surface, gi, picture, place, render, scene_of, soup, span, triangles};
 
@@ -211,8 +212,8 @@ fn textures_are_read_where_a_texel_is_as_large_as_a_voxel() {
             let emission = DVec3::new(0.25, 0.5, 1.0) * light;
             let metallic = 0.6 * shown(&texel, level, [y, x], linear).z;
             let color = DVec3::new(0.9, 0.8, 0.7) * light;
-            // glTF 2.0 appendix B: a dielectric reflects 0.04 and 0.96 of its colour, a metal its colour.
-            let albedo = (0.96 * color + 0.04) * (1.0 - metallic) + color * metallic;
+            let roughness = shown(&texel, level, [y, x], linear).y;
+            let albedo = total_reflectance(color, metallic, roughness);
             // Coarser levels have 8 bits a channel, rounded on each: half a step of the steepest sRGB, 0.0045, a level. A sampler's
             // weights have 8 bits too, so that a neighbour may come in by 1/256.
             let tolerance = 0.0045 * f64::from(level) + 1.0 / 256.0;

@@ -19,7 +19,7 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let inwards = -surface.normal_geometric;
-    let apex = Apex(surface.position_voxel, inwards, 1.0, 0.0, surface.turn);
+    let apex = Apex(surface.position_voxel, inwards, surface.share);
     let opacity = trace_opacity(apex, cone_lobe(inwards, sin(params.aperture / 2.0)), reach_of(params.depth), 0.0);
     return vec4f(vec3f(opacity), 1.0);
 }

@@ -46,6 +46,8 @@ fn mean(format: &str, encoding: &str, times: f32) -> (f64, u32) {
     let request = Request {
         format: Some(format.into()),
         encoding: Some(encoding.into()),
+        // Rays read no volume.
+        tracer: Some("cones".into()),
         resolution: Some(32),
         output: Some("diffuse".into()),
         ..Request::image(24, 24)

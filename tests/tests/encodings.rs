@@ -19,6 +19,8 @@ fn request(format: &str, encoding: &str, resolution: u32) -> Request {
     Request {
         format: Some(format.into()),
         encoding: Some(encoding.into()),
+        // Rays read no volume.
+        tracer: Some("cones".into()),
         resolution: Some(resolution),
         output: Some("diffuse".into()),
         ..Request::image(24, 24)

@@ -6,8 +6,9 @@ use voxlume_tests::{built_in, gpu, root};
 
 /// Rays through the bitmask, which tell what is open and gather nothing.
 const FEELERS: &str = "
+import package::common::ray::ray_between;
 import package::common::trace::{Apex, Gathered, Lobe, Reach};
-import package::common::voxel_ray::ray_blocked;
+import package::walk::first_hit;
 
 struct TraceParams {
     /// How far over the surface a ray begins, voxels, [0, 8]; 2 unless given.
@@ -18,7 +19,7 @@ var<uniform> trace_params: TraceParams;
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
     let origin = apex.position + trace_params.lift * apex.normal;
-    return select(0.0, 1.0, ray_blocked(origin, lobe.axis, reach.distance - 2.0 * trace_params.lift));
+    return select(0.0, 1.0, first_hit(ray_between(origin, lobe.axis, reach.distance - 2.0 * trace_params.lift), 0).found);
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
@@ -33,6 +34,7 @@ fn registry() -> Registry {
         summary: "rays through the bitmask",
         modules: "tracer/feelers",
         reads: &[Sort::VOXELS],
+        samples: false,
     });
     registry.library.insert("tracer/feelers/trace", Source::new("feelers.wgsl", FEELERS));
     registry

@@ -13,17 +13,20 @@ override INTERLEAVE: u32 = 1;
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(image);
-    if (any(id.xy >= size)) {
+    // In tiles of 8 × 8 all threads of a workgroup trace the same share, each in another tile: traces keep together.
+    let tiles = (size + 7) / 8;
+    let at = select(id.xy, (id.xy % tiles) * 8 + id.xy / tiles, INTERLEAVE == 8);
+    if (any(at >= size)) {
         return;
     }
-    var surface = surface_load(screen_pixel(id.xy, size));
+    var surface = surface_load(screen_pixel(at, size));
     var value = vec4f(0.0);
     if (surface.hit) {
-        surface.pixel = id.xy;
+        surface.pixel = at;
         surface.image_size = size;
         surface.layer = id.z;
-        surface.share = share_at(id.xy, INTERLEAVE);
+        surface.share = share_at(at, INTERLEAVE);
         value = effect(surface, params);
     }
-    store_texel(id.xy, id.z, value);
+    store_texel(at, id.z, value);
 }

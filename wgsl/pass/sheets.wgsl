@@ -44,7 +44,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         sheets[SHEETS * slot + count] = pack_sheet(Sheet(height, slope, i / 2, bits));
         count++;
     }
-    if (count == 0) {
-        sheets[SHEETS * slot] = vec2u(0);
+    for (; count < SHEETS; count++) {
+        sheets[SHEETS * slot + count] = vec2u(0);
     }
 }

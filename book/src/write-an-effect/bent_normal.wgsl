@@ -3,7 +3,7 @@
 
 import package::common::basis::basis_around;
 import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
-import package::common::grid::grid;
+import package::common::grid::longest_side;
 import package::common::surface::{Surface, surface_apex};
 import package::common::trace::{cone_lobe, reach_of};
 import package::tracer::trace::trace_opacity;
@@ -14,9 +14,8 @@ struct Params {
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
-    let longest = f32(max(grid.size.x, max(grid.size.y, grid.size.z)));
-    let apex = surface_apex(surface, 1.0);
-    let reach = reach_of(params.distance * longest);
+    let apex = surface_apex(surface);
+    let reach = reach_of(params.distance * longest_side());
     let tangents = basis_around(surface.normal);
     var open = vec4f(0.0);
     let cones = DiffuseCones(FULL_RING, 0.0);

@@ -1,10 +1,12 @@
 //! Formats worked out on the CPU in `f64`, to hold the WGSL against.
 
 mod coverage;
+mod reflectance;
 mod surface;
 mod volumes;
 
 pub use coverage::{composite_columns, composite_coverage};
+pub use reflectance::total_reflectance;
 pub use surface::{ATTRIBUTE_WORDS, VoxelSurface};
 pub use volumes::{Texels, Volumes};
 

@@ -109,7 +109,7 @@ fn what_the_encoding_clamps_is_told() {
     let told = |encoding: &str| {
         let cornell = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cornell.ron");
         let ran = folder.run(&format!(
-            "render {cornell} --encoding {encoding} --resolution 16 --size 16x16 -o a.png --json t.json"
+            "render {cornell} --tracer cones --encoding {encoding} --resolution 16 --size 16x16 -o a.png --json t.json"
         ));
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
         let text = std::fs::read_to_string(folder.path().join("t.json")).unwrap();

@@ -31,7 +31,7 @@ macro_rules! layout {
 }
 
 fn in_wgsl(module: &str, name: &str) -> StructLayout {
-    let shader = link(&Library::builtin(), module, &[("format", "format/isotropic")]);
+    let shader = link(&Library::builtin(), module, &[("walk", "walk/bricks"), ("meet", "meet/sheets")]);
     let shader = shader.and_then(voxlume_shader::Linked::check).unwrap_or_else(|faults| panic!("{faults}"));
     shader.struct_layout(name).unwrap()
 }

@@ -160,8 +160,9 @@ impl<'a> Context<'a> {
 
     /// Modules that imports mean unless a pass says otherwise.
     pub fn default_mounts(&self) -> Mounts {
-        let texel = ("texel", "texel/rgba16float".to_owned());
-        self.default_storage.mounts().into_iter().chain([texel]).collect()
+        let usual = [("texel", "texel/rgba16float"), ("walk", "walk/bricks"), ("meet", "meet/sheets")];
+        let usual = usual.map(|(name, module)| (name, module.to_owned()));
+        self.default_storage.mounts().into_iter().chain(usual).collect()
     }
 
     /// Whether a variable belongs to a storage format's module and, with the options chosen, to none of its volumes.

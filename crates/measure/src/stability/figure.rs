@@ -14,6 +14,9 @@ pub mod moved;
 pub mod range;
 pub mod refused;
 
+use voxlume::Scene;
+use voxlume::twin::total_reflectance;
+
 use crate::Error;
 
 /// One figure.
@@ -52,4 +55,11 @@ impl Figure {
     pub fn pass(&self) -> bool {
         self.bound.map_or(!self.value.is_nan(), |bound| self.value.abs() <= bound)
     }
+}
+
+/// What a scene's first material, the same in all channels, reflects of even light.
+fn reflectance(scene: &Scene) -> f64 {
+    let material = &scene.materials[0];
+    let base = material.base_color.truncate().as_dvec3();
+    total_reflectance(base, material.metallic.into(), material.roughness.into()).x
 }

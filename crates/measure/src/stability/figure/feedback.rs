@@ -1,6 +1,7 @@
 //! Light that is fed back from bounce to bounce.
 
-use glam::Vec4;
+use glam::{DVec3, Vec4};
+use voxlume::twin::total_reflectance;
 use voxlume::{Scene, Value};
 
 use super::{Figure, Figures};
@@ -11,15 +12,16 @@ use crate::stability::bench::{Bench, grey};
 pub fn closed(bench: &Bench<'_>, scene: &Scene) -> Figures {
     let figure = |albedo: f64| {
         let mut scene = scene.clone();
-        // A dielectric reflects 0.96 of its base colour, and 0.04.
-        let base = ((albedo - 0.04) / 0.96) as f32;
+        // What a rough dielectric reflects grows evenly with its base colour.
+        let of = |base: f64| total_reflectance(DVec3::splat(base), 0.0, 1.0).x;
+        let base = ((albedo - of(0.0)) / (of(1.0) - of(0.0))) as f32;
         scene
             .materials
             .iter_mut()
             .for_each(|material| material.base_color = Vec4::new(base, base, base, 1.0));
         Ok(Figure::swept("gain", "albedo", albedo, gain(bench, &scene)?, Some(0.9999)))
     };
-    [0.2, 0.5, 0.9, 0.99].into_iter().map(figure).collect()
+    [0.2, 0.5, 0.9, 0.97].into_iter().map(figure).collect()
 }
 
 /// Gain as the scene is.

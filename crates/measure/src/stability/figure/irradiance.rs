@@ -4,14 +4,13 @@ use std::f64::consts::PI;
 
 use voxlume::{Scene, Value};
 
-use super::{Figure, Figures};
+use super::{Figure, Figures, reflectance};
 use crate::stability::bench::{Bench, grey};
 
 /// In the closed furnace, which emits L = 1 and reflects ρ: voxels gather emission once and emit, so irradiance/π is 1 + ρ.
 pub fn furnace(bench: &Bench<'_>, scene: &Scene) -> Figures {
     let set = [("light", "emission", Value::Word("gather".into()))];
-    let albedo = 0.96 * f64::from(scene.materials[0].base_color.x) + 0.04;
-    let value = grey(&bench.image(scene, "diffuse", &set)?) / PI / (1.0 + albedo) - 1.0;
+    let value = grey(&bench.image(scene, "diffuse", &set)?) / PI / (1.0 + reflectance(scene)) - 1.0;
     Ok(vec![Figure::at_most("irradiance beside the closed form", value, 0.05)])
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::{DAffine3, DVec3, Vec3, Vec4};
 use voxlume::Scene;
 
-use super::{Figure, Figures};
+use super::{Figure, Figures, reflectance};
 use crate::stability::bench::{Bench, grey};
 
 /// Of walls, voxels.
@@ -20,9 +20,7 @@ pub fn from_sky(bench: &Bench<'_>, scene: &Scene) -> Figures {
 /// Share of the radiance of the sunlit outside that is seen inside.
 pub fn from_sun(bench: &Bench<'_>, scene: &Scene) -> Figures {
     let irradiance = scene.lights.first().map_or(0.0, |light| f64::from(light.intensity.element_sum()) / 3.0);
-    let base = f64::from(scene.materials[0].base_color.x);
-    // What a dielectric reflects in all: 0.96 of its base colour, and 0.04.
-    sweep(bench, scene, "final", (0.96 * base + 0.04) * irradiance / PI)
+    sweep(bench, scene, "final", reflectance(scene) * irradiance / PI)
 }
 
 /// Share of the sky's radiance that gets through walls which reflect nothing.
