@@ -95,9 +95,11 @@ fn pipelines() {
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 7] = [
+const ALTERNATIVES: [(&str, &[&str]); 9] = [
     ("filter", &["filter/hardware", "filter/by_hand"]),
-    ("tracer", &["tracer/cones"]),
+    ("tracer", &["tracer/cones", "tracer/rays"]),
+    ("walk", &["walk/bricks"]),
+    ("meet", &["meet/sheets", "meet/cells"]),
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     ("effect", &["effect/diffuse", "effect/soft_shadow", "effect/ambient_occlusion", "effect/specular"]),
     ("encoding", &["encoding/rgba8", "encoding/rgba16float", "encoding/rgba32float"]),

@@ -11,7 +11,9 @@ use voxlume::{
 use voxlume_tests::{built_in, gi, gpu, picture, plan_for, render, root};
 
 fn request(format: &str) -> Request {
-    Request { format: Some(format.into()), resolution: Some(32), ..Request::image(24, 16) }
+    // Cones, with which there is a volume and there are shadow maps.
+    let (format, tracer) = (Some(format.into()), Some("cones".into()));
+    Request { format, tracer, resolution: Some(32), ..Request::image(24, 16) }
 }
 
 /// Lamps of all kinds, and a ball that moves.

@@ -274,7 +274,7 @@ fn several_faults_of_parameters_at_once() {
        ┌─ p.ron:11:18
        │
     11 │             run: "light",
-       │                  ^^^^^^^ a number: How far over a voxel's centre it looks for the light; 1.5 is over every cell of a plane through it.
+       │                  ^^^^^^^ a number: How far over a voxel's centre a shadow map is asked; 1.5 is over every cell of a plane through it.
 
     error: pass `light` has no parameter `bais`
        ┌─ p.ron:16:17

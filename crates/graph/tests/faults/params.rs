@@ -6,12 +6,12 @@ use crate::common::message;
 
 #[test]
 fn missing() {
-    assert_snapshot!(message(&[(r#"start: 1.0, ring"#, r#"ring"#)]), @r#"
-    error: pass `diffuse` lacks the parameter `start`
-       ┌─ p.ron:28:18
+    assert_snapshot!(message(&[("bias: 1.5, ", "")]), @r#"
+    error: pass `light` lacks the parameter `bias`
+       ┌─ p.ron:11:18
        │
-    28 │             run: "effect/diffuse",
-       │                  ^^^^^^^^^^^^^^^^ a number in [0, 4]: Where traces begin: 1 is where the surface's own voxels end.
+    11 │             run: "light",
+       │                  ^^^^^^^ a number: How far over a voxel's centre a shadow map is asked; 1.5 is over every cell of a plane through it.
     "#);
     // What a tracer lets a pass choose has a default.
     assert_eq!(message(&[("stepper: \"spheres\", step: 0.5, ", "")]), "no fault");
@@ -45,7 +45,7 @@ fn unknown() {
        ┌─ p.ron:31:53
        │
     31 │             params: (stepper: "spheres", step: 0.5, strat: 2, start: 1.0, ring: 5),
-       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, ring, start
+       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start, ring, distance
     "#);
     assert_snapshot!(message(&[(r#"(run: "voxelize", writes: ["voxels"])"#, r#"(run: "voxelize", writes: ["voxels"], params: (size: 3))"#)]), @r#"
     error: pass `voxelize` has no parameter `size`

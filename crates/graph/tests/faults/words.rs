@@ -27,18 +27,18 @@ fn tracer() {
       ┌─ p.ron:4:13
       │
     4 │     tracer: "cone", resolution: 64,
-      │             ^^^^^^ did you mean `cones`? one of: cones
+      │             ^^^^^^ did you mean `cones`? one of: cones, rays
     "#);
-    assert_snapshot!(message(&[(r#"run: "effect/diffuse""#, r#"run: "effect/diffuse", tracer: "rays""#)]), @r#"
-    error: unknown tracer `rays`
+    assert_snapshot!(message(&[(r#"run: "effect/diffuse""#, r#"run: "effect/diffuse", tracer: "sonar""#)]), @r#"
+    error: unknown tracer `sonar`
        ┌─ p.ron:28:44
        │
-    28 │             run: "effect/diffuse", tracer: "rays",
-       │                                            ^^^^^^ one of: cones
+    28 │             run: "effect/diffuse", tracer: "sonar",
+       │                                            ^^^^^^^ one of: cones, rays
     "#);
-    assert_snapshot!(message_for(&[], &Request { tracer: Some("rays".into()), ..request() }), @r#"
-    error: unknown tracer `rays`
-     = one of: cones
+    assert_snapshot!(message_for(&[], &Request { tracer: Some("sonar".into()), ..request() }), @r#"
+    error: unknown tracer `sonar`
+     = one of: cones, rays
     "#);
     assert_snapshot!(message(&[(r#"(run: "filter""#, r#"(run: "filter", tracer: "cones""#)]), @r#"
     error: pass `filter` traces nothing
@@ -218,7 +218,7 @@ fn set() {
     "#);
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @"
     error: pass `diffuse` has no parameter `stp`
-     = did you mean `step`? one of: stepper, step, ring, start
+     = did you mean `step`? one of: stepper, step, start, ring, distance
     ");
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @r#"
     error: parameter `step` of pass `diffuse` can't be 7
