@@ -21,7 +21,7 @@ const MISSES: [(&str, [f64; 2]); 3] =
 /// The two cameras differ by less than this from the figures above.
 const TOLERANCE: f64 = 0.02;
 
-/// What is left where nothing is missed: radiance of 9 bits for each of a few values that add up.
+/// What is left where nothing is missed: radiance of 8 bits for each of a few values that add up.
 const ROUNDED: f64 = 0.004;
 
 fn renderer(scene: &Scene, tracer: &str, format: &str, bounces: f64) -> Renderer<'static> {

@@ -67,6 +67,11 @@ impl Settings<'_> {
         }
     }
 
+    /// The tracer of passes that name none.
+    pub(crate) fn tracer_word(&self) -> &str {
+        self.tracer.as_deref().unwrap_or(&self.pipeline.tracer.value)
+    }
+
     /// Each format with each encoding.
     pub(crate) fn variants(&self, faults: &mut Faults) -> Vec<(String, String)> {
         let names: Vec<&str> = self.registry.formats.iter().map(|format| format.name()).collect();

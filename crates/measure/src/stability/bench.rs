@@ -1,7 +1,7 @@
 //! Where cases are measured: a device, and one format, encoding and resolution.
 
 use voxlume::{
-    Faults, Gpu, Grid, Passes, Picture, Renderer, Request, ResourceKind, Scene, SceneFacts, Value,
+    Faults, Gpu, Grid, Passes, Picture, RAYS, Renderer, Request, ResourceKind, Scene, SceneFacts, Value,
 };
 
 use crate::settings::Setting;
@@ -59,9 +59,9 @@ impl Bench<'_> {
         Grid::fit(self.setting.resolution, scene.bounds())
     }
 
-    /// Whether the format tells the sides of a surface apart.
+    /// Whether what is traced tells the sides of a surface apart: by its format, or as rays do.
     pub fn is_directional(&self) -> bool {
-        !self.setting.format.starts_with("isotropic")
+        self.settings.tracer_word() == RAYS.name || !self.setting.format.starts_with("isotropic")
     }
 }
 
