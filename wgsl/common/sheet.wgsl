@@ -89,35 +89,3 @@ fn inner_squares(covered: u32) -> u32 {
     let rows = ((covered << 5) | 0x1fu) & ((covered >> 5) | 0x1f00000u);
     return covered & columns & rows;
 }
-
-// How far a triangle's edge from a to b leaves a square inside, at most: negative where the square is outside. `facing` is
-// positive where the corners turn from x to y.
-fn inside_edge(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> f32 {
-    let along = b - a;
-    let at = facing * (along.x * (centre.y - a.y) - along.y * (centre.x - a.x));
-    return at + half_side * (abs(along.x) + abs(along.y));
-}
-
-fn inside_edges(v: array<vec2f, 3>, facing: f32, centre: vec2f, half_side: f32) -> f32 {
-    return min(inside_edge(v[0], v[1], facing, centre, half_side),
-        min(inside_edge(v[1], v[2], facing, centre, half_side), inside_edge(v[2], v[0], facing, centre, half_side)));
-}
-
-// The squares that a triangle touches; corners relative to the voxel's centre, seen along the axis.
-fn covered_squares(v: array<vec2f, 3>, facing: f32) -> u32 {
-    if (inside_edges(v, facing, vec2f(0.0), -0.5) >= 0.0) {
-        return ALL_SQUARES;
-    }
-    let side = 1.0 / f32(SQUARES);
-    let low = min(v[0], min(v[1], v[2]));
-    let high = max(v[0], max(v[1], v[2]));
-    var covered = 0u;
-    for (var i = 0u; i < SQUARES * SQUARES; i++) {
-        let centre = (vec2f(vec2u(i % SQUARES, i / SQUARES)) + 0.5) * side - 0.5;
-        let touches = all(low <= centre) && all(high >= centre);
-        if (touches && inside_edges(v, facing, centre, 0.0) >= 0.0) {
-            covered |= 1u << i;
-        }
-    }
-    return covered;
-}

@@ -6,17 +6,14 @@ import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average
 import package::common::grid::grid;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
-import package::common::sheet::{TWO_SIDED, covered_squares};
+import package::common::sheet_sums::add_sheet;
 import package::common::reflectance::total_reflectance;
-import package::common::triangle_box::{swizzle, unswizzle};
+import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
 
 var<storage, read_write> attributes: array<atomic<u32>>;
-// See pass/sheets.wgsl.
-var<storage, read_write> sheet_sums: array<atomic<u32>>;
 
 override ATTRIBUTE_STRIDE: u32 = 14;
-const SHEET_STRIDE = 21u;
 override HAS_COVERAGE: bool = false;
 
 struct Visitor {
@@ -38,30 +35,6 @@ fn add(word: u32, value: f32) {
     if (units != 0) {
         atomicAdd(&attributes[word], units);
     }
-}
-
-// The triangle's plane in the voxel, and how much of it is there.
-fn add_sheet(visitor: Visitor, cell: vec3u, slot: u32) {
-    let axis = visitor.axis;
-    let centre = vec3f(cell) + 0.5;
-    let v = array(swizzle(visitor.corners.v[0] - centre, axis), swizzle(visitor.corners.v[1] - centre, axis),
-        swizzle(visitor.corners.v[2] - centre, axis));
-    let n = cross(v[1] - v[0], v[2] - v[1]);
-    if (n.z == 0.0) {
-        return;
-    }
-    let slope = clamp(-n.xy / n.z, vec2f(-1.0), vec2f(1.0));
-    let height = clamp(v[0].z - dot(slope, v[0].xy), -1.5, 1.5);
-    let first = slot * SHEET_STRIDE + 7 * axis;
-    let units = u32(round(visitor.weight * grid.attribute_scale));
-    let sums = vec3u(round(f32(units) * vec3f(height / 3.0 + 0.5, 0.5 * slope + 0.5)));
-    let low = select(1u, 0u, n.z > 0.0);
-    atomicAdd(&sheet_sums[first + low], units);
-    atomicAdd(&sheet_sums[first + 2 + low], sums.x);
-    atomicAdd(&sheet_sums[first + 4], sums.y);
-    atomicAdd(&sheet_sums[first + 5], sums.z);
-    let sides = select(0u, TWO_SIDED, visitor.material.double_sided != 0);
-    atomicOr(&sheet_sums[first + 6], sides | covered_squares(array(v[0].xy, v[1].xy, v[2].xy), n.z));
 }
 
 fn add_vector(first: u32, value: vec3f) {
@@ -101,7 +74,7 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     let weight = visitor.weight;
     let shine = roughness_metallic(material, f.uv, f.lod);
     let slot = voxel_slot(cell);
-    add_sheet(visitor, cell, slot);
+    add_sheet(visitor.corners.v, visitor.axis, visitor.weight, material.double_sided != 0, cell, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
