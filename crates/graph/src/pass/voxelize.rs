@@ -71,11 +71,6 @@ impl PassKind for Voxelize {
                 values: Values::Words(&["sum", "max", "running_average"]),
             },
             ParamWords {
-                name: "walk",
-                sentence: "how rays pass through the bitmask; what they meet is the same; `bricks` unless given",
-                values: Values::Words(&["bricks"]),
-            },
-            ParamWords {
                 name: "resolution",
                 sentence: "voxels along the longest side of a grid of its own; the pipeline's grid unless given",
                 values: Values::Whole(*Grid::RESOLUTIONS.start(), *Grid::RESOLUTIONS.end()),
@@ -97,12 +92,11 @@ impl PassKind for Voxelize {
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let coverage = pass.word_or("coverage", "binary") == Some("area");
         let conflict = pass.word_or("conflict", "sum").unwrap_or_default();
-        let walk = pass.word_or("walk", "bricks").unwrap_or("bricks");
         if pass.begin_grid().is_none() {
             return;
         }
         let Some(method) = method(pass) else { return };
-        let voxels = Voxels::new(pass, coverage, conflict, walk);
+        let voxels = Voxels::new(pass, coverage, conflict);
         voxels.steps(pass, method);
         if !pass.voxel_emission() {
             let why = match pass.facts().emissive {
@@ -180,7 +174,7 @@ struct Voxels {
 }
 
 impl Voxels {
-    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str, walk: &str) -> Voxels {
+    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str) -> Voxels {
         let triangles = pass.facts().triangles;
         let (_, all) = pass.grid().word_offsets();
         let level_bytes = u64::from(pass.grid().levels()) * LEVEL_RUN_BYTES;
@@ -199,8 +193,6 @@ impl Voxels {
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
         let sheet_sums = part("sheet_sums", ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4));
         part("sheets", ResourceKind::PerVoxel(SHEET_BYTES));
-        bundle.mount("walk", &format!("walk/{walk}"));
-        bundle.mount("meet", "meet/sheets");
         bundle.with("ATTRIBUTE_STRIDE", f64::from(stride));
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
         bundle.with_word("CONFLICT", conflict);

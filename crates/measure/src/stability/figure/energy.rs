@@ -19,7 +19,8 @@ pub fn askew(bench: &Bench<'_>, scene: &Scene) -> Figures {
 /// has faces less.
 fn energy(bench: &Bench<'_>, scene: &Scene, bound: f64) -> Figures {
     let gather = [("light", "emission", Value::Word("gather".into()))];
-    let renderer = bench.render(scene, "diffuse", &gather)?;
+    // It samples the volume, whatever the tracer does.
+    let renderer = bench.render(scene, "voxel_view", &gather)?;
     let mut finest = 0.0;
     let mut figures = Vec::new();
     for (name, mip, texels) in volumes(&renderer)? {
