@@ -5,8 +5,8 @@ use glam::{DVec3, UVec3, Vec3};
 use voxlume::{Grid, Library, Source};
 use voxlume_tests::{Random, run_kernel_of};
 
-/// Clipped or missed by less than this many voxels for each 64 that a ray is long, a cell may be met or not: what `f32` leaves of
-/// a place.
+/// Voxels for each 64 that a ray is long: a cell that a ray clips or misses by less may be met or not. It is what `f32` leaves
+/// of a place.
 const GRAZED: f64 = 1e-4;
 
 const KERNEL: &str = "
@@ -43,27 +43,25 @@ struct Ray {
     reach: f32,
 }
 
-/// A ray's way through a cell: where it enters and leaves, before it is cut to the ray, and the axis of the face.
-fn passage(ray: &Ray, cell: UVec3) -> (f64, f64, usize) {
+/// Where a ray enters and leaves a cell that is larger by so much on every side, before it is cut to the ray; nothing where it
+/// passes the cell.
+fn passage(ray: &Ray, cell: UVec3, grown: f64) -> Option<(f64, f64)> {
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
-    let (mut enter, mut leave, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     for i in 0..3 {
-        let (low, high) = (f64::from(cell[i]) - origin[i], f64::from(cell[i] + 1) - origin[i]);
+        let (low, high) =
+            (f64::from(cell[i]) - grown - origin[i], f64::from(cell[i] + 1) + grown - origin[i]);
         if direction[i] == 0.0 {
-            // Parallel: through all of it, or past it by this much.
-            let past = low.max(-high);
-            if past > 0.0 {
-                return (past, -past, i);
+            if low > 0.0 || high < 0.0 {
+                return None;
             }
             continue;
         }
         let (a, b) = (low / direction[i], high / direction[i]);
-        if a.min(b) > enter {
-            (enter, axis) = (a.min(b), i);
-        }
+        enter = enter.max(a.min(b));
         leave = leave.min(a.max(b));
     }
-    (enter, leave, axis)
+    (leave >= enter.max(0.0)).then_some((enter, leave))
 }
 
 struct World {
@@ -121,60 +119,47 @@ impl World {
         out.chunks_exact(8).map(|hit| hit.try_into().unwrap()).collect()
     }
 
-    /// What is wrong with what a walk says of a ray; and whether it differs from `f64` at all.
+    /// What is wrong with what a walk says of a ray; and whether it differs from `f64` at all. A cell is surely met if the ray
+    /// passes it `GRAZED` smaller, and may be met if it passes it so much larger.
     fn judge(&self, ray: &Ray, hit: &[f32; 8]) -> (Option<String>, bool) {
         let reach = f64::from(ray.reach);
-        let length = reach.min(f64::from(UVec3::from_array(self.grid.size).element_sum()) * 2.0)
-            + ray.origin.as_dvec3().length();
-        let graze = GRAZED * (length / 64.0).max(1.0);
-        let passages = self.occupied.iter().map(|cell| (cell, passage(ray, *cell)));
-        // Cells that are surely met, by where the ray enters them, and the nearest that it touches at all.
-        let mut surely: Option<f64> = None;
-        let mut first: Option<(f64, UVec3)> = None;
-        for (cell, (enter, leave, _)) in passages {
-            let start = enter.max(0.0);
-            if leave >= start && start < reach && first.is_none_or(|(known, _)| start < known) {
-                first = Some((start, *cell));
-            }
-            if leave - start > graze && start < reach - graze && surely.is_none_or(|known| start < known) {
-                surely = Some(start);
-            }
-        }
+        let most = f64::from(UVec3::from_array(self.grid.size).element_sum()) * 2.0;
+        let graze = GRAZED * ((reach.min(most) + ray.origin.as_dvec3().length()) / 64.0).max(1.0);
+        let starts = |grown: f64| {
+            let cells = self.occupied.iter();
+            let entered = cells.filter_map(move |cell| Some((passage(ray, *cell, grown)?.0.max(0.0), *cell)));
+            entered.filter(move |(start, _)| *start < reach + grown.min(0.0))
+        };
+        let surely = starts(-graze).map(|(start, _)| start).reduce(f64::min);
+        let first = starts(0.0).reduce(|a, b| if b.0 < a.0 { b } else { a });
         let [found, distance, x, y, z, nx, ny, nz] = hit.map(f64::from);
         if found == 0.0 {
             return (surely.map(|at| format!("nothing, but a cell at {at}")), first.is_some());
         }
         let cell = UVec3::new(x as u32, y as u32, z as u32);
-        if !self.occupied.contains(&cell) {
-            return (Some(format!("{cell} is empty")), true);
-        }
-        let (enter, leave, axis) = passage(ray, cell);
-        let start = enter.max(0.0);
         let differs = first.is_none_or(|(_, other)| other != cell);
-        let wrong = if leave < start - graze || start > reach + graze {
-            Some(format!("{cell} lies from {enter} to {leave}"))
+        let Some((early, leave)) = passage(ray, cell, graze).filter(|_| self.occupied.contains(&cell)) else {
+            return (Some(format!("{cell} is empty or not passed")), true);
+        };
+        let start = early.max(0.0);
+        let late = passage(ray, cell, -graze).map_or(leave, |(enter, _)| enter.max(0.0));
+        let normal = DVec3::new(nx, ny, nz);
+        // Faces that the ray enters by where it is met.
+        let of_face = (0..3).any(|i| {
+            let side = f64::from(ray.direction[i]);
+            let face = f64::from(if side > 0.0 { cell[i] } else { cell[i] + 1 });
+            let at = (face - f64::from(ray.origin[i])) / side;
+            normal[i] == -side.signum() && at >= start - 2.0 * graze && at <= late + 2.0 * graze
+        });
+        let within = (normal + ray.direction.as_dvec3()).length() < 1e-6 && early <= graze;
+        let wrong = if start > reach + graze {
+            Some(format!("{cell} lies beyond the reach"))
         } else if surely.is_some_and(|at| start > at + graze) {
             Some(format!("{cell} at {start}, and one at {surely:?} before it"))
-        } else if (distance - start).abs() > 2.0 * graze {
-            Some(format!("{distance} to {cell}, and not {start}"))
+        } else if distance < start - graze || distance > late + graze {
+            Some(format!("{distance} to {cell}, and not {start} to {late}"))
         } else {
-            let normal = DVec3::new(nx, ny, nz);
-            let expected = if enter > 0.0 {
-                -ray.direction.as_dvec3()[axis].signum()
-            } else {
-                -ray.direction.as_dvec3()[axis]
-            };
-            let of_face = (normal[axis] - expected).abs() < 1e-6;
-            // At an edge either face will do.
-            let edge = (0..3).any(|i| {
-                i != axis && {
-                    let far = if ray.direction[i] > 0.0 { cell[i] } else { cell[i] + 1 };
-                    let at = (f64::from(far) - f64::from(ray.origin[i])) / f64::from(ray.direction[i]);
-                    (at - start).abs() < graze
-                }
-            });
-            (!of_face && !edge && enter.abs() > graze)
-                .then(|| format!("face {normal} of {cell}, axis {axis}"))
+            (!of_face && !within).then(|| format!("face {normal} of {cell}"))
         };
         (wrong, differs)
     }
