@@ -1,6 +1,8 @@
 //! Small WGSL programs over the repository's modules, run for what they write.
 #![allow(clippy::panic)]
 
+use std::time::Instant;
+
 use voxlume::{Library, Source, link, wgpu};
 use wgpu::util::DeviceExt;
 
@@ -33,52 +35,73 @@ pub fn run_kernel_of(
     text: &str,
     mounts: &[(&str, &str)],
     constants: &[(&str, f64)],
-    (texture, inputs): (Option<&wgpu::Texture>, &[Input<'_>]),
+    given: (Option<&wgpu::Texture>, &[Input<'_>]),
     count: usize,
 ) -> Vec<f32> {
-    let mut library = library.clone();
-    library.insert("kernel", Source::new("kernel.wgsl", text));
-    let shader = link(&library, "kernel", mounts).and_then(voxlume::Linked::check);
-    let shader = shader.unwrap_or_else(|faults| panic!("{faults}"));
-    let device = &gpu().device;
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into()),
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: Some("main"),
-        compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-        cache: None,
-    });
-    let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-    let contents = vec![0; count * 4];
-    let out = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: None,
-        contents: &contents,
-        usage,
-    });
-    let inputs: Vec<(&str, wgpu::Buffer)> = inputs
-        .iter()
-        .map(|(name, contents)| {
-            let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM;
-            let descriptor = wgpu::util::BufferInitDescriptor { label: None, contents, usage };
-            (*name, device.create_buffer_init(&descriptor))
-        })
-        .collect();
-    let view = texture.map(|texture| texture.create_view(&Default::default()));
-    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-        mag_filter: wgpu::FilterMode::Linear,
-        min_filter: wgpu::FilterMode::Linear,
-        mipmap_filter: wgpu::MipmapFilterMode::Linear,
-        ..Default::default()
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
+    let kernel = Kernel::new(library, text, mounts, constants, given, count);
+    kernel.run(1);
+    kernel.values()
+}
+
+/// A program ready to run.
+pub struct Kernel {
+    pipeline: wgpu::ComputePipeline,
+    bind_group: wgpu::BindGroup,
+    out: wgpu::Buffer,
+}
+
+impl Kernel {
+    /// See [`run_kernel_of`].
+    ///
+    /// # Panics
+    /// The text is at fault, or the device.
+    pub fn new(
+        library: &Library,
+        text: &str,
+        mounts: &[(&str, &str)],
+        constants: &[(&str, f64)],
+        (texture, inputs): (Option<&wgpu::Texture>, &[Input<'_>]),
+        count: usize,
+    ) -> Kernel {
+        let mut library = library.clone();
+        library.insert("kernel", Source::new("kernel.wgsl", text));
+        let shader = link(&library, "kernel", mounts).and_then(voxlume::Linked::check);
+        let shader = shader.unwrap_or_else(|faults| panic!("{faults}"));
+        let device = &gpu().device;
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: None,
+            source: wgpu::ShaderSource::Wgsl(shader.wgsl.as_str().into()),
+        });
+        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: None,
+            layout: None,
+            module: &module,
+            entry_point: Some("main"),
+            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+            cache: None,
+        });
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let contents = vec![0; count * 4];
+        let out = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents: &contents,
+            usage,
+        });
+        let inputs: Vec<(&str, wgpu::Buffer)> = inputs
+            .iter()
+            .map(|(name, contents)| {
+                let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::UNIFORM;
+                let descriptor = wgpu::util::BufferInitDescriptor { label: None, contents, usage };
+                (*name, device.create_buffer_init(&descriptor))
+            })
+            .collect();
+        let view = texture.map(|texture| texture.create_view(&Default::default()));
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        });
         let input = |name: &str| inputs.iter().find(|(known, _)| *known == name).map(|(_, buffer)| buffer);
         let resource = |name: &str| match (name, &view) {
             (name, _) if input(name).is_some() => {
@@ -102,21 +125,53 @@ pub fn run_kernel_of(
             layout: &pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        pass.set_bind_group(0, &bind_group, &[]);
-        pass.dispatch_workgroups(1, 1, 1);
+        Kernel { pipeline, bind_group, out }
     }
-    let read = device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: out.size(),
-        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-        mapped_at_creation: false,
-    });
-    encoder.copy_buffer_to_buffer(&out, 0, &read, 0, out.size());
-    gpu()
-        .guarded("a kernel", || gpu().queue.submit([encoder.finish()]))
-        .unwrap_or_else(|error| panic!("{error}"));
-    let bytes = gpu().read(&read).unwrap_or_else(|error| panic!("{error}"));
-    bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+
+    /// Runs so many workgroups, and waits for them: the seconds that took.
+    ///
+    /// # Panics
+    /// The device is at fault.
+    pub fn run(&self, groups: u32) -> f64 {
+        let mut encoder = gpu().device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&Default::default());
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, &self.bind_group, &[]);
+            pass.dispatch_workgroups(groups, 1, 1);
+        }
+        let commands = encoder.finish();
+        let begun = Instant::now();
+        gpu()
+            .guarded("a kernel", || {
+                gpu().queue.submit([commands]);
+                gpu().device.poll(wgpu::PollType::wait_indefinitely())
+            })
+            .unwrap_or_else(|error| panic!("{error}"))
+            .unwrap_or_else(|error| panic!("{error}"));
+        begun.elapsed().as_secs_f64()
+    }
+
+    /// What is in `out`.
+    ///
+    /// # Panics
+    /// The device is at fault.
+    pub fn values(&self) -> Vec<f32> {
+        let out = &self.out;
+        let read = gpu().device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: out.size(),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = gpu().device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(out, 0, &read, 0, out.size());
+        gpu()
+            .guarded("a kernel", || gpu().queue.submit([encoder.finish()]))
+            .unwrap_or_else(|error| panic!("{error}"));
+        let bytes = gpu().read(&read).unwrap_or_else(|error| panic!("{error}"));
+        bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+    }
 }
 
 /// A 3D texture of 32-bit floats with all its levels, filled with noise.

@@ -1,6 +1,7 @@
 //! Helpers that the tests share: a device, scenes made in memory, the voxel substrate as read back from the
 //! device, and what it should be, worked out in `f64`.
 
+mod bits;
 mod kernel;
 mod mutate;
 mod overlap;
@@ -9,7 +10,8 @@ mod render;
 mod scenes;
 mod substrate;
 
-pub use kernel::{Input, noise_volume, run_kernel, run_kernel_of};
+pub use bits::{Bits, Ray};
+pub use kernel::{Input, Kernel, noise_volume, run_kernel, run_kernel_of};
 pub use mutate::{mutated_bytes, mutated_text};
 pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
 pub use random::Random;

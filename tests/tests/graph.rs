@@ -55,11 +55,11 @@ const FIRST: &str = "passes: [";
 fn an_effect_knows_its_texel_and_its_image_has_a_size_and_texels_of_its_own() {
     for (words, size, texel) in [
         ("", SIZE, "rgba16float"),
-        ("scale: 2,", [19, 11], "rgba16float"),
-        ("scale: 5, texel: \"rgba32float\",", [8, 5], "rgba32float"),
+        ("size: \"1/2\",", [19, 11], "rgba16float"),
+        ("size: \"1/5\", texel: \"rgba32float\",", [8, 5], "rgba32float"),
         ("size: (9, 4), texel: \"rg32float\",", [9, 4], "rg32float"),
         ("texel: \"r32float\",", SIZE, "r32float"),
-        ("scale: 3, texel: \"r32uint\",", [13, 7], "r32uint"),
+        ("size: \"1/3\", texel: \"r32uint\",", [13, 7], "r32uint"),
         ("size: (3, 2), texel: \"rgba8unorm\",", [3, 2], "rgba8unorm"),
     ] {
         let scale = if texel == "rgba8unorm" { 0.125 } else { 1.0 };

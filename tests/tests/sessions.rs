@@ -219,7 +219,7 @@ fn what_cannot_be_is_refused_and_nothing_is_half_done() {
         &mut renderer,
         set("difuse", "step", number.clone()),
         "error: no pass of the plan is called `difuse`
- = did you mean `diffuse`? one of: voxelize static, voxelize, shadow_maps, light, filter, gbuffer, soft_shadow, diffuse, specular, composite",
+ = did you mean `diffuse`? one of: voxelize static, voxelize, shadow_maps, light, filter, gbuffer, traced_shadow, soft_shadow, diffuse, specular, composite",
     );
     for (pass, name, value) in [
         ("diffuse", "stepp", number.clone()),

@@ -19,11 +19,11 @@ var<uniform> trace_params: TraceParams;
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
     let origin = apex.position + trace_params.lift * apex.normal;
-    return select(0.0, 1.0, first_hit(ray_between(origin, lobe.axis, reach.distance - 2.0 * trace_params.lift), 0).found);
+    return select(0.0, 1.0, first_hit(ray_between(origin, lobe.axis, reach.distance - 2.0 * trace_params.lift)).found);
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
-    return Gathered(vec3f(0.0), trace_opacity(apex, lobe, reach, 0.0), 0.0);
+    return Gathered(vec3f(0.0), trace_opacity(apex, lobe, reach, 0.0), 0.0, vec3f(0.0));
 }
 ";
 
@@ -97,4 +97,17 @@ fn entries_stay_as_they_are() {
     let pipeline = Pipeline::parse(&Source::new("gi.ron", text)).unwrap();
     let faults = plan(&pipeline, &facts, &registry(), &request("feelers")).unwrap_err().to_string();
     assert!(faults.starts_with("error: pass `diffuse` has no parameter `steps`"), "{faults}");
+}
+
+/// A tracer that lacks a function is told which, once, however many passes trace.
+#[test]
+fn a_missing_function_is_named_with_its_signature() {
+    let mut registry = registry();
+    let text = FEELERS.replace("fn trace_gather(", "fn trace_gathers(");
+    registry.library.insert("tracer/feelers/trace", Source::new("feelers.wgsl", text));
+    let facts = SceneFacts::of(&built_in("cornell.ron")).unwrap();
+    let request = Request { tracer: Some("feelers".into()), ..Request::image(8, 8) };
+    let faults = plan(&gi("", ""), &facts, &registry, &request).unwrap_err().to_string();
+    let message = "error: tracer `feelers` must have `fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered`";
+    assert!(faults.starts_with(message) && faults.matches("error: ").count() == 1, "{faults}");
 }

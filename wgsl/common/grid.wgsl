@@ -13,7 +13,9 @@ struct Grid {
     attribute_scale: f32,
     // Emission that counts as 1.0, W·m⁻²·sr⁻¹.
     emission_max: f32,
-    padding: vec2u,
+    // Words of the bitmask of all levels: those of columns follow, where there are any.
+    bitmask_words: u32,
+    padding: u32,
     // First word of each level in the occupancy bitmask, four levels a vector.
     level_words: array<vec4u, 4>,
 }

@@ -25,7 +25,14 @@ struct Light {
     falloff: vec2f,
     area: f32,
     padding: f32,
+    // Area: of its polygon. Others: the first has the width of a shadow map in world units, or at a unit's distance; the
+    // world units of a directional light's depth from 0 to 1; and 1 where it is too wide for its map.
     corners: array<vec4f, 4>,
+}
+
+// Whether its shadow map says how soft its shadows are.
+fn has_sharp_map(light: Light) -> bool {
+    return light.shadow_layer >= 0 && light.corners[0].z == 0.0;
 }
 
 var<storage, read> lights: array<Light>;

@@ -1,6 +1,12 @@
 // Unit vectors in 32 bits: octahedral map of Cigolle et al., "A Survey of Efficient Representations for
 // Independent Unit Vectors", JCGT 3(2), 2014.
 
+// Of a vector of any length, two coordinates in [−1, 1].
+fn octahedral_encode(v: vec3f) -> vec2f {
+    let p = v.xy / max(abs(v.x) + abs(v.y) + abs(v.z), 1e-30);
+    return select((1.0 - abs(p.yx)) * select(vec2f(-1.0), vec2f(1.0), p >= vec2f(0.0)), p, v.z >= 0.0);
+}
+
 fn octahedral_decode(e: vec2f) -> vec3f {
     var v = vec3f(e, 1.0 - abs(e.x) - abs(e.y));
     let t = max(-v.z, 0.0);
@@ -14,9 +20,7 @@ fn unpack_normal(bits: u32) -> vec3f {
 }
 
 fn pack_normal(n: vec3f) -> u32 {
-    let e = n / max(abs(n.x) + abs(n.y) + abs(n.z), 1e-30);
-    let folded = (1.0 - abs(e.yx)) * select(vec2f(-1.0), vec2f(1.0), e.xy >= vec2f(0.0));
-    return pack2x16snorm(select(folded, e.xy, e.z >= 0.0));
+    return pack2x16snorm(octahedral_encode(n));
 }
 
 // The tangent's lowest bit of y is the bitangent's sign.

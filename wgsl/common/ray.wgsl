@@ -38,6 +38,48 @@ struct Passage {
     normal: vec3f,
 }
 
+// A ray and the box of all cells of a level.
+struct Crossing {
+    // In cells: where the ray begins, and how far it goes along each axis for each voxel of its length.
+    origin: vec3f,
+    slope: vec3f,
+    inverse: vec3f,
+    // Whether it goes towards larger coordinates.
+    forwards: vec3<bool>,
+    // Along the ray: where it enters the box, at least 0, and where it leaves it.
+    enter: f32,
+    leave: f32,
+    // Of the face by which it enters, or against the ray where it begins within.
+    normal: vec3f,
+}
+
+// `scale` is a cell's side in voxels. Where the ray misses the box, it leaves before it enters.
+fn crossing_of(ray: Ray, size: vec3u, scale: f32) -> Crossing {
+    var c: Crossing;
+    // A finite slope for every axis: an axis-parallel ray never leaves sideways.
+    c.slope = select(ray.direction, vec3f(1e-12), abs(ray.direction) < vec3f(1e-12)) / scale;
+    c.origin = ray.origin / scale;
+    c.inverse = 1.0 / c.slope;
+    c.forwards = c.slope > vec3f(0.0);
+    let to_low = -c.origin * c.inverse;
+    let to_high = (vec3f(size) - c.origin) * c.inverse;
+    let enters = min(to_low, to_high);
+    let leaves = max(to_low, to_high);
+    let enter = max(enters.x, max(enters.y, enters.z));
+    c.enter = max(enter, 0.0);
+    c.leave = min(leaves.x, min(leaves.y, leaves.z));
+    c.normal = -ray.direction;
+    if (enter > 0.0) {
+        c.normal = select(vec3f(0.0), against(c), enters == vec3f(enter));
+    }
+    return c;
+}
+
+// Of faces by which the ray enters cells.
+fn against(c: Crossing) -> vec3f {
+    return select(vec3f(1.0), vec3f(-1.0), c.forwards);
+}
+
 fn ray_between(origin: vec3f, direction: vec3f, reach: f32) -> Ray {
     let none = Tangent(vec3f(0.0), vec3f(0.0));
     return Ray(origin, direction, reach, none, none);

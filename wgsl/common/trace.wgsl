@@ -69,6 +69,19 @@ fn reach_up_to(point: vec3f, normal: vec3f) -> Reach {
     return Reach(1e30, point, normal);
 }
 
+// Of linear Rec. 709 radiance.
+fn luminance(radiance: vec3f) -> f32 {
+    return dot(radiance, vec3f(0.2126, 0.7152, 0.0722));
+}
+
+// The least cosine with its normal that a direction's share of the vector is divided by.
+const LEAST_COSINE = 0.2;
+
+// What a direction adds to the vector.
+fn vector_of(lobe: Lobe, direction: vec3f, radiance: vec3f) -> vec3f {
+    return direction * (luminance(radiance) / max(dot(lobe.axis, direction), LEAST_COSINE));
+}
+
 // What comes of a trace.
 struct Gathered {
     // Mean radiance that arrives, W·m⁻²·sr⁻¹; where nothing is met, the sky's.
@@ -77,4 +90,7 @@ struct Gathered {
     opacity: f32,
     // To the first that it meets; without any, the reach.
     distance: f32,
+    // Of `LOBE_HEMISPHERE`: the mean of luminance · direction / cosine. Times the lobe's normal it is the mean luminance; times
+    // another normal nearby, about what arrives there (the irradiance's vector).
+    vector: vec3f,
 }

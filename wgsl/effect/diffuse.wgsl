@@ -3,6 +3,7 @@
 
 import package::common::constants::PI;
 import package::common::grid::longest_side;
+import package::common::leaning::leaning;
 import package::common::surface::{Surface, surface_apex};
 import package::common::trace::{hemisphere_lobe, reach_of};
 import package::tracer::trace::trace_gather;
@@ -14,5 +15,6 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let found = trace_gather(surface_apex(surface), hemisphere_lobe(surface.normal), reach_of(params.distance * longest_side()));
+    leaning = found.vector;
     return vec4f(PI * found.radiance, found.opacity);
 }

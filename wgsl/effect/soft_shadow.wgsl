@@ -4,7 +4,7 @@
 
 import package::common::environment::environment;
 import package::common::grid::{grid, to_voxel};
-import package::common::light::{Incidence, Light, light_incidence, lights, HAS_AREA, LIGHT_AREA};
+import package::common::light::{Incidence, Light, light_incidence, lights, has_sharp_map, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
 import package::common::surface::{Surface, surface_apex};
 import package::common::trace::{cone_lobe, reach_of, reach_up_to, turn_of};
@@ -14,7 +14,12 @@ struct Params {
     /// Parts of a light along each of its sides, [1, 4]: a pixel's traces are as wide as one of them, and the pass's
     /// `interleave` takes the mean over all.
     parts: u32,
+    /// Which lights: all, or those that are too wide for a shadow map; `all` unless given.
+    lights: u32,
 }
+
+const LIGHTS_ALL = 0u;
+const LIGHTS_WIDE = 1u;
 
 fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
     let slope = dot(surface.normal_geometric, incidence.direction);
@@ -33,6 +38,9 @@ fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, param
 }
 
 fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
+    if (params.lights == LIGHTS_WIDE && has_sharp_map(light)) {
+        return 1.0;
+    }
     let whole = light_incidence(light, surface.position, surface.normal);
     let part = light_part(light, whole, params.parts, turn_of(surface.share), surface.position, surface.normal_geometric);
     return traced_visibility(surface, light, part, params);

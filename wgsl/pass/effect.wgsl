@@ -1,14 +1,17 @@
 // Runs an effect for every texel of its image.
 
-import package::common::surface::{screen_pixel, surface_load};
+import package::common::leaning::leaning;
 import package::common::share::share_at;
 import package::effect::{Params, effect};
+import package::seen::surface_seen;
 import package::texel::{image, store_texel};
 
 var<uniform> params: Params;
 
 // Texels along each side of a tile that share out the directions; `interleave` then takes their mean.
 override INTERLEAVE: u32 = 1;
+// Whether the image's second half of layers holds from where the light of the first half's comes.
+override LEANS: bool = false;
 
 @compute @workgroup_size(8, 8)
 fn main(@builtin(global_invocation_id) id: vec3u) {
@@ -16,10 +19,10 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // In tiles of 8 × 8 all threads of a workgroup trace the same share, each in another tile: traces keep together.
     let tiles = (size + 7) / 8;
     let at = select(id.xy, (id.xy % tiles) * 8 + id.xy / tiles, INTERLEAVE == 8);
-    if (any(at >= size)) {
+    if (any(at >= size) || (LEANS && id.z >= textureNumLayers(image) / 2)) {
         return;
     }
-    var surface = surface_load(screen_pixel(at, size));
+    var surface = surface_seen(at, size);
     var value = vec4f(0.0);
     if (surface.hit) {
         surface.pixel = at;
@@ -29,4 +32,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         value = effect(surface, params);
     }
     store_texel(at, id.z, value);
+    if (LEANS) {
+        store_texel(at, id.z + textureNumLayers(image) / 2, vec4f(leaning, 0.0));
+    }
 }

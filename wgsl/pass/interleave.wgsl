@@ -3,18 +3,22 @@
 // pixels on the same surface count.
 
 import package::common::guide::{Guide, same_surface, unpack_guide};
-import package::common::camera::camera;
 
 var image: texture_storage_2d_array<rgba16float, write>;
-var interleaved: texture_2d_array<f32>;
+var gathered: texture_2d_array<f32>;
 var guide: texture_2d_array<f32>;
 
 // The second step.
 override APART: bool = false;
 
-// The guide of the screen's pixel in the middle of a texel.
+// That of what is in the middle of a texel.
 fn guide_at(texel: vec2i, ratio: vec2f) -> Guide {
     return unpack_guide(textureLoad(guide, vec2i((vec2f(texel) + 0.5) * ratio), 0, 0));
+}
+
+// Pixel number `index` of the window, from the one that gets the mean.
+fn window(index: i32) -> vec2i {
+    return select(vec2i(index & 3, index >> 2) - 1, 4 * vec2i(index & 1, index >> 1) - 2, APART);
 }
 
 @compute @workgroup_size(8, 8)
@@ -23,24 +27,24 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (any(id.xy >= size)) {
         return;
     }
-    let ratio = vec2f(camera.screen) / vec2f(size);
-    let own = guide_at(vec2i(id.xy), ratio);
-    let first = select(-1, -2, APART);
-    let step = select(1, 4, APART);
-    let count = select(4, 2, APART);
+    let texel = vec2i(id.xy);
+    let ratio = vec2f(textureDimensions(guide)) / vec2f(size);
+    let own = guide_at(texel, ratio);
+    let count = select(16, 4, APART);
     var sum = vec4f(0.0);
-    var weight = 0.0;
-    for (var i = 0; i < count * count; i++) {
-        let pixel = clamp(vec2i(id.xy) + first + step * vec2i(i % count, i / count), vec2i(0), vec2i(size) - 1);
-        let other = guide_at(pixel, ratio);
-        if (own.hit && same_surface(own, other)) {
-            sum += textureLoad(interleaved, pixel, id.z, 0);
-            weight += 1.0;
+    var found = 0;
+    for (var i = 0; own.hit && i < count; i++) {
+        let other = texel + window(i);
+        let inside = all(other >= vec2i(0)) && all(other < vec2i(size));
+        if (inside && same_surface(own, guide_at(other, ratio))) {
+            sum += textureLoad(gathered, other, id.z, 0);
+            found += 1;
         }
     }
-    // 4 × 4 hold the pixel's own; of 2 × 2 none may be on its surface.
-    if (own.hit && weight == 0.0) {
-        sum = textureLoad(interleaved, id.xy, id.z, 0);
+    if (own.hit && APART) {
+        // The pixel's own mean stands for those that are missing.
+        sum += f32(4 - found) * textureLoad(gathered, texel, id.z, 0);
+        found = 4;
     }
-    textureStore(image, id.xy, id.z, sum / max(weight, 1.0));
+    textureStore(image, id.xy, id.z, sum / f32(max(found, 1)));
 }

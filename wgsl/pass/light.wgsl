@@ -46,7 +46,7 @@ fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
         }
         reach = arrive(incidence.direction, origin.point, goal);
     }
-    return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal), 0).found);
+    return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal)).found);
 }
 
 fn irradiance(apex: Apex) -> vec3f {

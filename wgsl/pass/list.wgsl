@@ -27,7 +27,7 @@ override WORDS: u32 = 16;
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let index = dispatch_index(id, 64);
     let first = index / 64 * (64 * WORDS) + index % 64;
-    for (var word = first; word < min(first + 64 * WORDS, arrayLength(&occupancy)); word += 64) {
+    for (var word = first; word < min(first + 64 * WORDS, arrayLength(&ranks) - 1); word += 64) {
         list_word(word);
     }
 }

@@ -16,7 +16,7 @@ fn value_at(index: u32) -> u32 {
     if (!COUNTS_BITS) {
         return scan_values[index];
     }
-    return select(0u, countOneBits(occupancy[min(index, arrayLength(&occupancy) - 1)]), index < arrayLength(&occupancy));
+    return select(0u, countOneBits(occupancy[index]), index + 1 < arrayLength(&scan_values));
 }
 
 @compute @workgroup_size(64)

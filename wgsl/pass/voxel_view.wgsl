@@ -7,7 +7,7 @@ import package::common::step::step_params;
 import package::common::ray::ray_between;
 import package::common::surface::camera_ray;
 import package::common::voxels::cell_rank;
-import package::walk::first_hit;
+import package::level_walk::first_hit_at;
 
 var<storage, read> shown_voxels: array<ShownVoxel>;
 var image: texture_storage_2d_array<rgba16float, write>;
@@ -19,7 +19,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     let level = step_params.level;
     let ray = normalize(camera_ray(id.xy));
-    let hit = first_hit(ray_between(to_voxel(camera.eye), ray, 1e30), level);
+    let hit = first_hit_at(ray_between(to_voxel(camera.eye), ray, 1e30), level);
     var value = vec4f(0.0);
     if (hit.found) {
         var color = shown_voxels[cell_rank(hit.cell, level)].color;

@@ -3,7 +3,7 @@
 // of a word is empty, the ray passes its whole brick.
 
 import package::common::grid::{BRICK_SHIFT, brick_strides, cell_bit, grid, level_first_word, level_size};
-import package::common::ray::{Passage, Ray, RayHit};
+import package::common::ray::{Passage, Ray, RayHit, against, crossing_of};
 import package::common::voxels::{occupancy, rank_in};
 import package::meet::meets;
 
@@ -12,31 +12,22 @@ const STRIDE = 2u;
 // The coarsest that it looks at.
 const TOP = 4u;
 
+fn first_hit(ray: Ray) -> RayHit {
+    return first_hit_at(ray, 0);
+}
+
 // The first cell of `finest` or, where that is 0, the first surface in one.
-fn first_hit(ray: Ray, finest: u32) -> RayHit {
+fn first_hit_at(ray: Ray, finest: u32) -> RayHit {
     var hit: RayHit;
     hit.distance = ray.reach;
     let size = vec3i(level_size(finest));
-    let scale = exp2(f32(finest));
-    // A finite slope for every axis: an axis-parallel ray never leaves sideways.
-    let slope = select(ray.direction, vec3f(1e-12), abs(ray.direction) < vec3f(1e-12)) / scale;
-    let origin = ray.origin / scale;
-    let inverse = 1.0 / slope;
-    let forwards = slope > vec3f(0.0);
-    let to_low = -origin * inverse;
-    let to_high = (vec3f(size) - origin) * inverse;
-    let enters = min(to_low, to_high);
-    let leaves = max(to_low, to_high);
-    let enter = max(enters.x, max(enters.y, enters.z));
-    if (max(enter, 0.0) >= min(ray.reach, min(leaves.x, min(leaves.y, leaves.z)))) {
+    let c = crossing_of(ray, vec3u(size), exp2(f32(finest)));
+    if (c.enter >= min(ray.reach, c.leave)) {
         return hit;
     }
-    let against = select(vec3f(1.0), vec3f(-1.0), forwards);
-    var passage = Passage(max(enter, 0.0), 0.0, -ray.direction);
-    if (enter > 0.0) {
-        passage.normal = select(vec3f(0.0), against, enters == vec3f(enter));
-    }
-    var cell = clamp(vec3i(floor(origin + passage.enter * slope)), vec3i(0), size - 1);
+    let facing = against(c);
+    var passage = Passage(c.enter, 0.0, c.normal);
+    var cell = clamp(vec3i(floor(c.origin + passage.enter * c.slope)), vec3i(0), size - 1);
     let top = min(TOP, (grid.level_count - 1 - finest) & ~1u);
     // Near where it begins there may be its own surface.
     var level = 0u;
@@ -59,14 +50,14 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
         let shift = vec3u(level) + select(vec3u(0), BRICK_SHIFT, word == 0);
         let low = vec3i((vec3u(cell) >> shift) << shift);
         let high = low + (vec3i(1) << shift);
-        let exits = (vec3f(select(low, high, forwards)) - origin) * inverse;
+        let exits = (vec3f(select(low, high, c.forwards)) - c.origin) * c.inverse;
         passage.leave = min(exits.x, min(exits.y, exits.z));
         if (occupied && meets(ray, here, rank_in(index, word, here), passage, &hit)) {
             return hit;
         }
         let along = exits == vec3f(passage.leave);
-        let beside = clamp(vec3i(floor(origin + passage.leave * slope)), low, high - 1);
-        let next = select(beside, select(low - 1, high, forwards), along);
+        let beside = clamp(vec3i(floor(c.origin + passage.leave * c.slope)), low, high - 1);
+        let next = select(beside, select(low - 1, high, c.forwards), along);
         if (passage.leave >= ray.reach || any(next < vec3i(0)) || any(next >= size)) {
             return hit;
         }
@@ -79,7 +70,7 @@ fn first_hit(ray: Ray, finest: u32) -> RayHit {
         }
         cell = next;
         passage.enter = passage.leave;
-        passage.normal = select(vec3f(0.0), against, along);
+        passage.normal = select(vec3f(0.0), facing, along);
     }
     return hit;
 }

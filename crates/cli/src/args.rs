@@ -25,7 +25,7 @@ pub struct PlanArgs {
     #[arg(long)]
     pub encoding: Option<String>,
 
-    /// Tracer, instead of the pipeline's: cones
+    /// Tracer, instead of the pipeline's: cones, rays
     #[arg(long)]
     pub tracer: Option<String>,
 
@@ -36,6 +36,11 @@ pub struct PlanArgs {
     /// Width and height of the image in pixels
     #[arg(long, value_name = "WxH", default_value = "512x512", value_parser = size)]
     pub size: [u32; 2],
+
+    /// Gather tracing effects at the screen's size over this and bring them up to it: 1, 2, 4 or 8; as the pipeline says
+    /// unless given
+    #[arg(long, value_name = "N")]
+    pub scale: Option<u32>,
 
     /// Second of the scene's animation to show
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, allow_negative_numbers = true, value_parser = seconds)]
@@ -70,6 +75,7 @@ impl PlanArgs {
             encoding: self.encoding.clone(),
             tracer: self.tracer.clone(),
             resolution: self.resolution,
+            scale: self.scale,
             output: None,
             set: self.set.clone(),
             screen: self.size,

@@ -13,16 +13,16 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::{interrupt, pipeline};
 
-/// Hold effects against a path tracer: what each storage format costs, and how wrong it is
+/// Hold effects against a path tracer: what each storage format and tracer costs, and how wrong it is
 ///
-/// For every scene, effect, format, encoding and resolution: the time of each pass, the bytes of the volume, and
+/// For every scene, effect, format, encoding, tracer, resolution and scale: the time of each pass, the bytes of the volume, and
 /// RMSE, relative MSE, signed bias, 99th percentile and FLIP against the reference. Writes results.json, results.csv,
 /// report.html (one page, works offline) and images/ into the folder --out. A cell that is finished there is not
 /// run again unless something that decides it has changed.
 ///
 /// Compared are pixels in which both show a surface; emitters count only in `final`, or where there is nothing else.
-/// An effect whose entry names no `reference` is held against itself, in the first format and encoding at the finest
-/// resolution given.
+/// An effect whose entry names no `reference` is held against itself, in the first format, encoding, tracer and scale at
+/// the finest resolution given.
 ///
 /// The reference looks through pixels' centres, as the renderer does, and reflects as glTF says. Its own noise is taken
 /// off RMSE and relative MSE; where it is over a fifth of the RMSE a note says so, and more --spp helps.
@@ -30,6 +30,7 @@ use crate::{interrupt, pipeline};
 #[command(after_help = "Examples:
   voxlume compare scenes/cornell.ron --out cornell
   voxlume compare scenes/cornell.ron --formats isotropic,sh2 --resolutions 64 --effects diffuse,final --out two
+  voxlume compare scenes/cornell.ron --tracers all --resolutions 128 --scales 1,2 --out tracers
   voxlume compare scenes/*.ron --spp 2048 --repeat 20 --out all
   voxlume compare scenes/cornell.ron --baseline cornell/results.json --out changed")]
 pub struct Args {
@@ -45,13 +46,18 @@ pub struct Args {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     encodings: Vec<String>,
 
-    /// Tracer, instead of the pipeline's: cones
-    #[arg(long)]
-    tracer: Option<String>,
+    /// Tracers with commas between (cones, rays), or all; the pipeline's unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    tracers: Vec<String>,
 
     /// Voxels along the grid's side
     #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
     resolutions: Vec<u32>,
+
+    /// What the screen's size is divided by where tracing effects gather, with commas between: 1, 2, 4 or 8; as the
+    /// pipeline says unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    scales: Vec<u32>,
 
     /// Effects with commas between, or all that a scene has: names of the pipeline's effects, and final; of gi
     /// soft_shadow, ambient_occlusion, diffuse, specular, final
@@ -104,8 +110,9 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
             pipeline: &pipeline,
             formats: args.formats.clone(),
             encodings: args.encodings.clone(),
-            tracer: args.tracer.clone(),
+            tracers: args.tracers.clone(),
             resolutions: args.resolutions.clone(),
+            scales: args.scales.clone(),
             size: args.size,
             adapter: args.adapter.clone(),
         },

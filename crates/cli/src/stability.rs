@@ -20,12 +20,13 @@ use crate::{interrupt, pipeline};
 /// exit code 1 if a figure is out of its bound and that is not a known miss. The book's page on stability says what each
 /// case measures, and why some can't hold.
 ///
-/// --json writes {"schema": 1, "device": {…}, "rows": [{"case", "format", "encoding", "resolution", "figure", "value", "bound", "pass"}]};
+/// --json writes {"schema": 1, "device": {…}, "rows": [{"case", "format", "encoding", "tracer", "resolution", "figure", "value", "bound", "pass"}]};
 /// a bound of null means that the figure is only measured.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   voxlume stability --list
   voxlume stability --json stability.json --html stability.html
+  voxlume stability leak furnace --tracers all
   voxlume stability leak leak_sun --formats six_face,sh2 --resolutions 64")]
 pub struct Args {
     /// Cases; all unless given
@@ -44,9 +45,9 @@ pub struct Args {
     #[arg(long, value_name = "LIST", default_value = "rgba16float", value_delimiter = ',')]
     encodings: Vec<String>,
 
-    /// Tracer, instead of the pipeline's: cones
-    #[arg(long)]
-    tracer: Option<String>,
+    /// Tracers with commas between (cones, rays), or all; the pipeline's unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    tracers: Vec<String>,
 
     /// Voxels along the grid's side, instead of each case's own
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
@@ -85,8 +86,9 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
             pipeline: &pipeline,
             formats: args.formats.clone(),
             encodings: args.encodings.clone(),
-            tracer: args.tracer.clone(),
+            tracers: args.tracers.clone(),
             resolutions: args.resolutions.clone(),
+            scales: Vec::new(),
             size: args.size,
             adapter: args.adapter.clone(),
         },
@@ -125,14 +127,16 @@ fn list() -> Result<(), Failure> {
 }
 
 fn table(stability: &Stability) -> String {
-    let mut table = Table::new(["case", "format", "encoding", "figure", "N", "value", "bound", "verdict"])
-        .numbers_from(4);
+    let mut table =
+        Table::new(["case", "format", "encoding", "tracer", "figure", "N", "value", "bound", "verdict"])
+            .numbers_from(5);
     for row in &stability.rows {
         let number = |value: f64| format!("{value:.3e}");
         table.row([
             row.case.clone(),
             row.format.clone(),
             row.encoding.clone(),
+            row.tracer.clone(),
             row.figure.clone(),
             row.resolution.to_string(),
             number(row.value),

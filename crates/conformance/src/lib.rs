@@ -1,4 +1,4 @@
-//! One suite for every storage format, from this workspace or from outside.
+//! A suite for every storage format and one for every tracer, from this workspace or from outside.
 //!
 //! [`run`] fills small grids with voxels, has a device store, filter and sample them with the format's own WGSL, and
 //! measures eight properties and, where the format has a CPU twin, the difference to it. Each figure has a bound that
@@ -14,6 +14,8 @@
 //! assert!(report.passes());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! [`run_tracer`] measures a tracer on scenes whose answers are known; what its figures may be is the caller's to say.
 
 mod against_twin;
 mod bench;
@@ -24,6 +26,7 @@ mod report;
 mod rounding;
 mod substrate;
 mod symmetry;
+mod tracer;
 
 use voxlume::{Choices, Encoding, Faults, Gpu, Library, StorageFormat};
 
@@ -34,11 +37,12 @@ pub use directions::directions;
 pub use report::{Check, Report};
 pub use rounding::{absolute_rounding, are_bytes, clamped, relative_rounding};
 pub use symmetry::Symmetry;
+pub use tracer::{TracerFigure, run_tracer};
 
 /// Why the suite can't run.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The format's shaders are at fault.
+    /// The shaders are at fault.
     #[error("{0}")]
     Shaders(#[from] Faults),
     /// The device fails.

@@ -11,7 +11,7 @@ use crate::expansion::context::read_of;
 use crate::live::CONDITIONS;
 use crate::pass::{Kinds, PassKind, Port, Sort};
 use crate::pipeline::{Located, PassEntry, Pipeline};
-use crate::plan::ImageTexel;
+use crate::plan::{ImageExtent, ImageTexel};
 use crate::planner::unknown;
 
 pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Library, faults: &mut Faults) {
@@ -39,14 +39,7 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
             let message = format!("unknown layers `{}`", layers.value);
             faults.push(pipeline.fault(&layers.span, message, "one of: lights (a layer for each four)"));
         }
-        if pass.interleave > 1 && pass.image.texel != ImageTexel::Rgba16Float {
-            let message = format!("pass `{}` can't interleave {} texels", pass.name, pass.image.texel.name());
-            faults.push(pipeline.fault(
-                &pass.image.span,
-                message,
-                "`interleave` takes the mean of rgba16float",
-            ));
-        }
+        check_means(pipeline, pass, faults);
         for read in pass.reads.iter().filter(|read| read.value.ends_with(LAST)) {
             let name = read.value.trim_end_matches(LAST);
             let sort = sorts.get(name).filter(|sort| **sort != Sort::IMAGE && sort.images.is_empty());
@@ -76,6 +69,28 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
             }
             None => {}
         }
+    }
+}
+
+/// `interleave` and `scale` take means over pixels: only of an effect's image, and not of every one.
+fn check_means(pipeline: &Pipeline, pass: &PassEntry, faults: &mut Faults) {
+    let scaled = pass.scale.value > 1;
+    let texel = pass.image.texel;
+    let words = [(pass.interleave > 1, "interleave"), (scaled, "scale")];
+    for (_, word) in words.into_iter().filter(|(given, _)| *given) {
+        if !pass.is_effect() {
+            let message = format!("pass `{}` has no `{word}`", pass.name);
+            faults.push(pipeline.fault(&pass.run.span, message, "only an effect has it"));
+        } else if texel != ImageTexel::Rgba16Float {
+            let message = format!("pass `{}` can't have `{word}` with {} texels", pass.name, texel.name());
+            faults.push(pipeline.fault(&pass.image.span, message, "it takes means, of rgba16float alone"));
+        }
+    }
+    if scaled && pass.image.extent != ImageExtent::SCREEN {
+        let message = format!("pass `{}` has both `scale` and `size`", pass.name);
+        let label =
+            "`scale` brings an effect up to the screen's size; an image of another size is left as it is";
+        faults.push(pipeline.fault(&pass.scale.span, message, label));
     }
 }
 

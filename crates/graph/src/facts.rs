@@ -48,6 +48,8 @@ pub struct SceneFacts {
     pub masked_triangles: [u32; 2],
     /// Whether any material is metallic or smoother than fully rough.
     pub glossy: bool,
+    /// Directional, point and spot lights that are [wide](SceneFacts::is_wide).
+    pub wide: u32,
     /// Whether anything outside the scene shines.
     pub sky: bool,
     /// Triangles of instances that may move; they come after all others.
@@ -125,6 +127,7 @@ impl SceneFacts {
                     || material.roughness < 1.0
                     || material.metallic_roughness_texture.is_some()
             }),
+            wide: count(SceneFacts::is_wide),
             sky: scene.sky.max_element() > 0.0,
             moving_triangles: scene
                 .instances
@@ -142,6 +145,14 @@ impl SceneFacts {
         let never = if triangles.start < still { never } else { 0 };
         let may = if triangles.end > still { may } else { 0 };
         never + may
+    }
+
+    /// Whether a light is too wide for its shadow map to say how soft its shadows are: a sphere, or a sun of over 5.7°.
+    pub fn is_wide(kind: &LightKind) -> bool {
+        match kind {
+            LightKind::Directional { angular_diameter, .. } => *angular_diameter > 0.1,
+            LightKind::Point { radius, .. } | LightKind::Spot { radius, .. } => *radius > 0.0,
+        }
     }
 
     /// Lights without a surface in the scene.

@@ -98,8 +98,9 @@ impl Grid {
         words.push(self.levels());
         words.push(fixed_point_scale(triangles).to_bits());
         words.push(emission_max.max(f32::MIN_POSITIVE).to_bits());
-        words.extend([0; 2]);
-        words.extend(self.word_offsets().0);
+        let (offsets, bitmask) = self.word_offsets();
+        words.extend([bitmask, 0]);
+        words.extend(offsets);
         words.resize(28, 0);
         words.into_iter().flat_map(u32::to_le_bytes).collect()
     }
@@ -108,6 +109,16 @@ impl Grid {
     pub fn level_words(&self, level: u32) -> u32 {
         let [x, y, z] = self.size.map(|n| n >> level);
         x.div_ceil(4) * y.div_ceil(4) * z.div_ceil(2)
+    }
+
+    /// Words of the columns of bits at each level (VGI §4.1): half as many along x and y as at the level before, up to a single
+    /// one, and always all of z.
+    pub fn column_words(&self) -> Vec<u32> {
+        let [x, y, z] = self.size;
+        let levels = x.max(y).next_power_of_two().ilog2() + 1;
+        let words =
+            |level: u32| [x, y].map(|n| n.div_ceil(1 << level)).iter().product::<u32>() * z.div_ceil(32);
+        (0..levels).map(words).collect()
     }
 
     /// First word of each level, and the number of words of all.

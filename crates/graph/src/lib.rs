@@ -35,7 +35,7 @@ pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
 pub use flow::Touch;
 pub use grid::{Extent, Grid, fixed_point_scale};
 pub use pass::{DEFAULT_METHOD, Idle, Kinds, ParamWords, PassKind, Port, Sort, Unread, Values};
-pub use pipeline::{ImageWords, Located, Param, PassEntry, Pipeline, Value};
+pub use pipeline::{ImageWords, Located, Param, PassEntry, Pipeline, SCALES, Value};
 pub use plan::{
     Bind, Groups, ImageExtent, ImageTexel, LeftOut, Life, ParamBytes, ParamSlot, Pass, Plan, Program,
     Resource, ResourceKind, Sources, Step, Target, Update, Vertices,

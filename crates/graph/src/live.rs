@@ -15,9 +15,12 @@ use crate::plan::LeftOut;
 type Condition = (&'static str, &'static str, fn(&SceneFacts, bool) -> bool);
 
 /// Conditions for `when`; each is asked with whether emissive polygons are lights of their own.
-pub(crate) const CONDITIONS: [Condition; 4] = [
+pub(crate) const CONDITIONS: [Condition; 5] = [
     ("lights", "the scene has no light", |facts, area_lights| {
         facts.punctual() > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0)
+    }),
+    ("wide_lights", "every light's shadow map says how soft its shadows are", |facts, area_lights| {
+        facts.wide > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0)
     }),
     ("glossy", "no material is glossy", |facts, _| facts.glossy),
     ("shadow_mapped_lights", "the scene has no directional, spot or point light", |facts, _| {

@@ -6,7 +6,7 @@ use voxlume_fault::{Fault, Faults, Source, suggest};
 use voxlume_shader::Library;
 
 use crate::bundle::Bundle;
-use crate::entries::{check_entries, images, makes};
+use crate::entries::{check_entries, images, makes, sorts};
 use crate::expansion::context::Given;
 use crate::expansion::{Context, Expanded, Expansion, LAST};
 use crate::facts::SceneFacts;
@@ -15,7 +15,8 @@ use crate::grid::Grid;
 use crate::limits;
 use crate::live::{explain_branches, live, uses_area_lights};
 use crate::order::{Makers, order};
-use crate::pipeline::{Located, Param, PassEntry, Pipeline, Value};
+use crate::pass::{Kinds, Sort};
+use crate::pipeline::{Located, Param, PassEntry, Pipeline, SCALES, Value, scales};
 use crate::plan::{Pass, Plan, Target};
 use crate::prune::prune;
 use crate::registry::Registry;
@@ -33,6 +34,8 @@ pub struct Request {
     pub tracer: Option<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Option<u32>,
+    /// What the screen's size is divided by where effects that trace gather: one of [`SCALES`].
+    pub scale: Option<u32>,
     /// The image to make.
     pub output: Option<String>,
     /// Parameters: pass, name, value.
@@ -54,6 +57,7 @@ impl Request {
             encoding: None,
             tracer: None,
             resolution: None,
+            scale: None,
             output: None,
             set: Vec::new(),
             screen,
@@ -75,8 +79,8 @@ pub fn plan(
 ) -> Result<Plan, Faults> {
     let mut faults = Faults::default();
     let mut pipeline = pipeline.clone();
-    apply(&mut pipeline, request, &mut faults);
     let Registry { formats, encodings, kinds, tracers, library } = registry;
+    apply(&mut pipeline, request, kinds, &mut faults);
     let library = with_own_effects(&pipeline, library, &mut faults);
     tracer::resolve(&mut pipeline, kinds, tracers, &mut faults);
     let pipeline = &pipeline;
@@ -124,6 +128,10 @@ pub fn plan(
     };
     let mut context = Context::new(given, storage, grid, area_lights);
     let live = live(pipeline, &makers, &mut context);
+    context.check_tracers();
+    if !context.faults.is_empty() {
+        return Err(context.faults);
+    }
     let mut passes = Vec::new();
     for index in ordered.into_iter().filter(|index| live.contains(index)) {
         let entry = &pipeline.passes[index];
@@ -169,7 +177,7 @@ pub fn plan(
 }
 
 /// Puts the request's words in place of the file's.
-fn apply(pipeline: &mut Pipeline, request: &Request, faults: &mut Faults) {
+fn apply(pipeline: &mut Pipeline, request: &Request, kinds: &Kinds, faults: &mut Faults) {
     let replace = |word: &mut Located<String>, given: &Option<String>| {
         if let Some(value) = given {
             *word = Located { value: value.clone(), span: None };
@@ -181,6 +189,20 @@ fn apply(pipeline: &mut Pipeline, request: &Request, faults: &mut Faults) {
     replace(&mut pipeline.output, &request.output);
     if let Some(value) = request.resolution {
         pipeline.resolution = Located { value, span: None };
+    }
+    if let Some(value) = request.scale {
+        if !SCALES.contains(&value) {
+            faults.push(Fault::new(format!("unknown scale `{value}`")).note(scales()));
+        } else {
+            let sorts = sorts(pipeline, kinds);
+            let traces = |entry: &PassEntry| {
+                let is_volume = |name: &Located<String>| sorts.get(&name.value) == Some(&Sort::VOLUME);
+                entry.is_effect() && entry.reads.iter().any(is_volume)
+            };
+            for entry in pipeline.passes.iter_mut().filter(|entry| traces(entry)) {
+                entry.scale = Located { value, span: None };
+            }
+        }
     }
     for (pass, name, value) in &request.set {
         let known: Vec<String> = pipeline.passes.iter().map(|entry| entry.name.clone()).collect();

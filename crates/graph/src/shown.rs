@@ -56,8 +56,9 @@ impl Reference {
 }
 
 /// What the image of a built-in pass is, where its entry doesn't say: after `run`, what it shows and is held against.
-const BUILT_IN: [(&str, Shows, Reference); 5] = [
+const BUILT_IN: [(&str, Shows, Reference); 6] = [
     ("effect/soft_shadow", Shows::Share, Reference::SoftShadow),
+    ("effect/shadow", Shows::Share, Reference::SoftShadow),
     ("effect/ambient_occlusion", Shows::Share, Reference::AmbientOcclusion),
     ("effect/diffuse", Shows::Light, Reference::Diffuse),
     ("effect/specular", Shows::Light, Reference::Specular),

@@ -203,7 +203,8 @@ fn what_nothing_moves_runs_once() {
 #[test]
 fn voxel_rays_need_no_shadow_maps() {
     let set = vec![("light".into(), "occlusion".into(), Value::Word("voxel_ray".into()))];
-    let plan = gi_for(&rich(), &Request { set, ..request() });
+    // The picture's own shadows ask for them.
+    let plan = gi_for(&rich(), &Request { set, output: Some("diffuse".into()), ..request() });
     assert_eq!(
         (names(&plan).contains(&"shadow_maps"), why(&plan, "shadow_maps")),
         (false, "occlusion is by voxel ray")
@@ -254,9 +255,12 @@ fn the_cornell_box_explained() {
       gbuffer            nothing → surface
                            runs when these change: camera
                            1 dispatch, 1 draw
-      soft_shadow        surface, voxels, volume → shadow
+      traced_shadow      surface, voxels, volume → traced_shadow
                            runs when these change: lights, camera, parameters, surface, voxels
                            2 dispatches
+      soft_shadow        surface, traced_shadow → shadow
+                           runs when these change: lights, camera, parameters, surface, traced_shadow
+                           1 dispatch
       diffuse            surface, voxels, volume → diffuse
                            runs when these change: lights, camera, parameters, surface, voxels, volume
                            3 dispatches
@@ -283,8 +287,9 @@ fn the_cornell_box_explained() {
       emission           512 × 512 rgba16float, 1 layer            2.00 MiB
       depth              512 × 512 depth32float, 1 layer           1.00 MiB
       guide              512 × 512 rgba32float, 1 layer            4.00 MiB
-      shadow             512 × 512 rgba16float, 1 layer            2.00 MiB
+      traced_shadow      512 × 512 rgba16float, 1 layer            2.00 MiB
       interleaved_1      512 × 512 rgba16float, 1 layer            2.00 MiB
+      shadow             512 × 512 rgba16float, 1 layer            2.00 MiB
       diffuse            512 × 512 rgba16float, 1 layer            2.00 MiB
       final              512 × 512 rgba16float, 1 layer            2.00 MiB
 

@@ -18,13 +18,14 @@ pub struct Effect<'p> {
 }
 
 impl<'p> Effect<'p> {
-    /// A pipeline's effects, its output, and what else has a reference, in the order of the file.
+    /// A pipeline's effects, its output, and what else has a reference, in the order of the file, less those whose entries have
+    /// `compare: false`.
     pub fn all(pipeline: &'p Pipeline) -> Vec<Effect<'p>> {
         let effect = |entry: &'p PassEntry| {
             let image = entry.writes.first()?.value.as_str();
             let output = image == pipeline.output.value;
             let compared = entry.is_effect() || entry.reference.is_some() || output;
-            compared.then(|| Effect {
+            (compared && entry.compared).then(|| Effect {
                 name: if entry.is_effect() { &entry.name } else { image },
                 image,
                 shows: entry.shows.as_ref().map_or(Shows::default(), |shows| shows.value),

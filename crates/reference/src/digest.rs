@@ -187,7 +187,7 @@ impl Hash {
     fn quantity(&mut self, quantity: &Quantity) {
         match *quantity {
             Quantity::SoftShadow { light } => {
-                self.bytes(&[0]);
+                self.bytes(&[6]);
                 self.count(light);
             }
             Quantity::AmbientOcclusion { distance, falloff } => {

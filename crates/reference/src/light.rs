@@ -41,7 +41,7 @@ pub(crate) struct Seen {
     /// What it covers; without width for a light without size.
     cone: Cone,
     /// Radiance, or the irradiance at normal incidence of a light without size.
-    light: Vec3,
+    pub(crate) light: Vec3,
     /// Distance of the sphere's centre, infinite for a disc.
     distance: f32,
     radius: f32,

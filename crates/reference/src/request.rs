@@ -89,8 +89,8 @@ pub struct Panel {
 pub enum Quantity {
     /// Mean visibility of a light's disc: `(1/Ω) ∫_Ω V(x, ω) dω` over the solid angle `Ω` that the
     /// light subtends, in \[0,1\]. `V` is 0 for directions below the triangle's horizon. A light without
-    /// size is one direction. Spots count as spheres, whatever their shade hides. 1 within a light's
-    /// sphere and where the camera sees no surface.
+    /// size is one direction. 0 outside a spot's cone, where it sends nothing; 1 within a light's sphere and where the camera
+    /// sees no surface.
     SoftShadow {
         /// Index in [`voxlume_scene::Scene::lights`].
         light: usize,

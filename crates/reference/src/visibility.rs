@@ -13,6 +13,9 @@ impl Tracer {
     pub(crate) fn shadow(&self, surface: &Surface, light: usize, rng: &mut Rng) -> f32 {
         let origin = surface.origin();
         let Some(seen) = self.lamps[light].seen_from(origin) else { return 1.0 };
+        if seen.light == Vec3::ZERO {
+            return 0.0;
+        }
         let sample = seen.sample(rng);
         let above = surface.geometric_normal.dot(sample.direction) > 0.0;
         f32::from(above && self.unblocked(origin, sample.direction, sample.distance))

@@ -2,7 +2,7 @@
 
 use crate::number::{percent, short};
 use crate::results::{Outcome, Results, Row};
-use crate::table::{SUBJECT, subject};
+use crate::table::{NUMBERS, SUBJECT, subject};
 use crate::text::align;
 
 /// For each row of `now` that `then` has too: time and error of both, and how they changed. Says which rows only one
@@ -38,7 +38,7 @@ pub fn against(now: &Results, then: &Results) -> String {
         };
         lines.push((cells, note.to_owned()));
     }
-    let mut text = align(&lines, 4);
+    let mut text = align(&lines, NUMBERS);
     let gone = then.rows.iter().filter(|old| now.rows.iter().all(|row| key(row) != key(old))).count();
     if gone > 0 {
         text += &format!("{gone} rows of the baseline were not run\n");
@@ -53,8 +53,9 @@ pub fn against(now: &Results, then: &Results) -> String {
 }
 
 /// What two rows have in common that can be compared.
-fn key(row: &Row) -> (&str, &str, &str, &str, [u32; 3]) {
-    (&row.scene, &row.effect, &row.format, &row.encoding, [row.resolution, row.width, row.height])
+fn key(row: &Row) -> ([&str; 5], Option<u32>, [u32; 3]) {
+    let Row { scene, effect, format, encoding, tracer, resolution, scale, width, height, .. } = row;
+    ([scene, effect, format, encoding, tracer], *scale, [*resolution, *width, *height])
 }
 
 fn ratio(now: f64, then: f64) -> String {
@@ -73,10 +74,10 @@ mod tests {
         let mut now = results();
         now.rows.push(row("six_face", 1.0, 1.0));
         let expected = "\
-scene    effect   format     encoding      N  total ms   was     ×  RMSE    was     ×  bias/mean  was
-cornell  diffuse  isotropic  rgba16float  64      2.00  4.00  0.50  1.00  0.500  2.00          -    -
-cornell  diffuse  sh2        rgba16float  64  failed
-cornell  diffuse  six_face   rgba16float  64  new
+scene    effect   format     encoding     tracer  scale   N  total ms   was     ×  RMSE    was     ×  bias/mean  was
+cornell  diffuse  isotropic  rgba16float  rays    -      64      2.00  4.00  0.50  1.00  0.500  2.00          -    -
+cornell  diffuse  sh2        rgba16float  rays    -      64  failed
+cornell  diffuse  six_face   rgba16float  rays    -      64  new
 1 rows of the baseline were not run
 times are not comparable: now on llvmpipe (Mesa 22.3), the baseline on llvmpipe (Mesa 21)
 ";

@@ -2,7 +2,7 @@
 
 use crate::results::{Outcome, Results};
 
-const HEAD: &str = "scene,effect,format,encoding,resolution,width,height,total_ms,volume_bytes,rmse,rel_mse,bias,\
+const HEAD: &str = "scene,effect,format,encoding,tracer,resolution,scale,width,height,total_ms,volume_bytes,rmse,rel_mse,bias,\
                     bias_rel,p99,flip,reference_se,note,fault";
 
 /// `results.csv`. Figures that there are not stay empty; passes are left to the JSON.
@@ -14,7 +14,9 @@ pub fn csv(results: &Results) -> String {
             field(&row.effect),
             field(&row.format),
             field(&row.encoding),
+            field(&row.tracer),
             row.resolution.to_string(),
+            row.scale.map(|scale| scale.to_string()).unwrap_or_default(),
             row.width.to_string(),
             row.height.to_string(),
         ];
@@ -63,13 +65,13 @@ mod tests {
         let lines: Vec<&str> = text.split("\r\n").collect();
         assert_eq!(
             lines[1],
-            "cornell,diffuse,isotropic,rgba16float,64,32,16,2,4096,1,0.5,-0.25,,2,0.125,0.0625,,"
+            "cornell,diffuse,isotropic,rgba16float,rays,64,,32,16,2,4096,1,0.5,-0.25,,2,0.125,0.0625,,"
         );
         assert_eq!(
             lines[2],
-            "cornell,diffuse,sh2,rgba16float,64,32,16,,,,,,,,,,,\"too <large>, \"\"so\"\"\""
+            "cornell,diffuse,sh2,rgba16float,rays,64,,32,16,,,,,,,,,,,\"too <large>, \"\"so\"\"\""
         );
-        assert!(lines.iter().take(2).all(|line| line.matches(',').count() == 17));
+        assert!(lines.iter().take(2).all(|line| line.matches(',').count() == 19));
         assert_eq!(lines[3], "");
     }
 }

@@ -28,6 +28,6 @@ pub use metric::{Errors, Note};
 pub use page::{Strip, page, stability_page};
 pub use pareto::pareto_front;
 pub use picture::{PictureError, png, signed_error};
-pub use results::{Device, OutOfRange, Outcome, Pass, Results, ResultsError, Row, SCHEMA};
+pub use results::{Device, OutOfRange, Outcome, Pass, Results, ResultsError, Row, SCHEMA, setting_words};
 pub use stability::{Stability, StabilityRow};
 pub use table::table;

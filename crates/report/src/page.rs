@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use self::pictures::{Pictures, ScriptStrip};
 use crate::number::{bytes, mark, mark_bytes, short};
-use crate::plot::{Plot, Point, SERIES, escape};
+use crate::plot::{Plot, Point, SERIES, escape, mark_at};
 use crate::results::{Device, Outcome, Results};
 
 pub use stability::stability_page;
@@ -80,6 +80,23 @@ fn groups(results: &Results) -> Vec<(&str, &str)> {
     distinct(results.rows.iter().map(|row| (row.scene.as_str(), row.effect.as_str())))
 }
 
+/// Tracers in the order in which they come: each has its form.
+fn tracers(results: &Results) -> Vec<&str> {
+    distinct(results.rows.iter().map(|row| row.tracer.as_str()))
+}
+
+/// The forms of tracers' marks, for a legend; nothing where there is only one tracer.
+fn forms(tracers: &[&str]) -> String {
+    let form = |(shape, tracer): (usize, &&str)| {
+        let mark = mark_at(shape, 7.0, 7.0);
+        format!(
+            "<li class=\"formed\"><svg viewBox=\"0 0 14 14\" aria-hidden=\"true\">{mark}</svg>{}</li>",
+            escape(tracer)
+        )
+    };
+    if tracers.len() < 2 { String::new() } else { tracers.iter().enumerate().map(form).collect() }
+}
+
 /// Formats and encodings in the order in which they come: each has its colour.
 fn series(results: &Results) -> Vec<(&str, &str)> {
     distinct(results.rows.iter().map(|row| (row.format.as_str(), row.encoding.as_str())))
@@ -96,7 +113,7 @@ fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
 }
 
 fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize) {
-    let series = series(results);
+    let (series, tracers) = (series(results), tracers(results));
     let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
     let mut held_against = None;
     for row in results.rows.iter().filter(|row| (row.scene.as_str(), row.effect.as_str()) == group) {
@@ -106,14 +123,19 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         };
         let place =
             series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
+        let shape = tracers.iter().position(|tracer| *tracer == row.tracer).unwrap_or(0);
         let note = Some(row.note()).filter(|note| !note.is_empty());
         let note = note.map(|note| format!(" ({note})")).unwrap_or_default();
         let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
             list.push(Point {
                 series: place,
+                shape,
                 cost,
                 error: error.rmse,
-                label: row.resolution.to_string(),
+                label: match row.scale {
+                    Some(scale) => format!("{} 1/{scale}", row.resolution),
+                    None => row.resolution.to_string(),
+                },
                 title: format!("{}: {cost_text}, RMSE {}{note}", row.setting(), short(error.rmse)),
             });
         };
@@ -154,6 +176,7 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         let _ =
             write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
     }
+    *html += &forms(&tracers);
     let _ = write!(
         html,
         "<li class=\"ringed\">Pareto front</li></ul>\n<div class=\"strips\" data-strips=\"{number}\"></div>\n"
@@ -192,7 +215,9 @@ mod tests {
                 "<p><b>llvmpipe</b> · software device · Mesa 22.3</p>\n<p>2025-01-02 03:04 UTC</p>"
             )
         );
-        assert!(html.contains("<title>isotropic rgba16float 64³: 2.00 ms, RMSE 1.00 · Pareto front</title>"));
+        assert!(
+            html.contains("<title>isotropic rgba16float 64³ rays: 2.00 ms, RMSE 1.00 · Pareto front</title>")
+        );
         assert!(html.contains("<td class=\"fault\">too &lt;large&gt;, &quot;so&quot;</td>"));
     }
 

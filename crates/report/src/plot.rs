@@ -23,6 +23,8 @@ pub(crate) struct Plot<'a> {
 pub(crate) struct Point {
     /// Colour, from 0.
     pub(crate) series: usize,
+    /// Its mark's form, from 0.
+    pub(crate) shape: usize,
     pub(crate) cost: f64,
     pub(crate) error: f64,
     /// Beside the point.
@@ -33,6 +35,19 @@ pub(crate) struct Point {
 
 /// Colours in `page.css`.
 pub(crate) const SERIES: usize = 8;
+
+/// Forms of marks.
+const SHAPES: usize = 4;
+
+/// A mark around a place: a circle, a square, a triangle or a diamond.
+pub(crate) fn mark_at(shape: usize, h: f64, v: f64) -> String {
+    match shape % SHAPES {
+        0 => format!("<circle cx=\"{h:.1}\" cy=\"{v:.1}\" r=\"4.5\"/>"),
+        1 => format!("<rect x=\"{:.1}\" y=\"{:.1}\" width=\"8.4\" height=\"8.4\"/>", h - 4.2, v - 4.2),
+        2 => format!("<path d=\"M{h:.1} {:.1}l5.4 9.4h-10.8z\"/>", v - 5.9),
+        _ => format!("<path d=\"M{h:.1} {:.1}l5.6 5.6l-5.6 5.6l-5.6 -5.6z\"/>", v - 5.6),
+    }
+}
 
 const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 340.0;
@@ -110,8 +125,8 @@ impl Plot<'_> {
             let (label, anchor) = if h > WIDTH - 60.0 { (h - 9.0, "end") } else { (h + 9.0, "start") };
             let _ = write!(
                 svg,
-                "<circle cx=\"{h:.1}\" cy=\"{v:.1}\" r=\"4.5\"/>\
-                 <text x=\"{label:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text></g>",
+                "{}<text x=\"{label:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text></g>",
+                mark_at(point.shape, h, v),
                 v - 6.0,
                 escape(&point.label)
             );
@@ -128,19 +143,24 @@ impl Plot<'_> {
     }
 }
 
-/// A line through the points of each series and label.
+/// A line through the points of each series, shape and label.
 fn curves(points: &[&Point], at_x: impl Fn(f64) -> f64, at_y: impl Fn(f64) -> f64) -> String {
-    let mut lines: Vec<((usize, &str), String)> = Vec::new();
+    let mut lines: Vec<((usize, usize, &str), String)> = Vec::new();
     for point in points {
-        let key = (point.series, point.label.as_str());
+        let key = (point.series, point.shape, point.label.as_str());
         let place = format!("{:.1} {:.1}", at_x(point.cost), at_y(point.error));
         match lines.iter_mut().find(|(known, _)| *known == key) {
             Some((_, line)) => *line += &format!("L{place}"),
             None => lines.push((key, format!("M{place}"))),
         }
     }
-    let path = |((series, _), line): &((usize, &str), String)| {
-        format!("<path class=\"curve s{}\" d=\"{line}\"/>", series % SERIES)
+    let path = |((series, shape, _), line): &((usize, usize, &str), String)| {
+        let dashes = if shape % SHAPES == 0 {
+            String::new()
+        } else {
+            format!(" stroke-dasharray=\"{} 3\"", 2 * shape + 1)
+        };
+        format!("<path class=\"curve s{}\"{dashes} d=\"{line}\"/>", series % SERIES)
     };
     lines.iter().map(path).collect()
 }
@@ -158,6 +178,7 @@ mod tests {
     fn plot(points: &[(f64, f64)]) -> String {
         let point = |(cost, error): &(f64, f64)| Point {
             series: 0,
+            shape: *cost as usize,
             cost: *cost,
             error: *error,
             label: "64<".into(),
@@ -174,6 +195,7 @@ mod tests {
         assert_eq!(svg.matches("Pareto front</title>").count(), 2);
         assert_eq!(svg.matches(">64&lt;</text>").count(), 3);
         assert!(svg.contains("<title>3</title>"));
+        assert_eq!([svg.matches("<rect").count(), svg.matches("h-10.8z").count()], [1, 1]);
     }
 
     #[test]

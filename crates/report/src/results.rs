@@ -14,7 +14,7 @@ pub struct Results {
     pub schema: u32,
     /// What it ran on.
     pub device: Device,
-    /// One for each scene, effect, format, encoding and resolution.
+    /// One for each scene, effect, format, encoding, tracer, resolution and scale.
     pub rows: Vec<Row>,
 }
 
@@ -41,8 +41,14 @@ pub struct Row {
     pub format: String,
     /// Texel encoding.
     pub encoding: String,
+    /// Tracer; results from before there was a choice have none, and were traced by cones.
+    #[serde(default = "cones")]
+    pub tracer: String,
     /// Voxels along the grid's longest side.
     pub resolution: u32,
+    /// What the screen's size was divided by where tracing effects gather; absent where the pipeline says it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<u32>,
     /// Width of the screen in pixels.
     pub width: u32,
     /// Height of the screen in pixels.
@@ -90,9 +96,9 @@ pub struct OutOfRange {
 }
 
 impl Row {
-    /// Format, encoding and resolution.
+    /// Format, encoding, resolution, tracer and scale.
     pub fn setting(&self) -> String {
-        format!("{} {} {}³", self.format, self.encoding, self.resolution)
+        setting_words(&self.format, &self.encoding, &self.tracer, self.resolution, self.scale)
     }
 
     /// What to keep in mind about the figures; empty where there is nothing.
@@ -107,6 +113,22 @@ impl Row {
         let noise = error.note().map(|note| note.to_string());
         against.into_iter().chain(clamped).chain(noise).collect::<Vec<_>>().join("; ")
     }
+}
+
+/// A setting in words: `isotropic rgba16float 128³ rays 1/2`.
+pub fn setting_words(
+    format: &str,
+    encoding: &str,
+    tracer: &str,
+    resolution: u32,
+    scale: Option<u32>,
+) -> String {
+    let scale = scale.map(|scale| format!(" 1/{scale}")).unwrap_or_default();
+    format!("{format} {encoding} {resolution}³ {tracer}{scale}")
+}
+
+fn cones() -> String {
+    "cones".to_owned()
 }
 
 /// A pass's time over the frames.
@@ -176,7 +198,9 @@ pub(crate) mod tests {
             effect: "diffuse".into(),
             format: format.into(),
             encoding: "rgba16float".into(),
+            tracer: "rays".into(),
             resolution: 64,
+            scale: None,
             width: 32,
             height: 16,
             held_against: None,
@@ -219,7 +243,7 @@ pub(crate) mod tests {
             "rows": [
                 {
                     "scene": "cornell", "effect": "diffuse", "format": "isotropic", "encoding": "rgba16float",
-                    "resolution": 64, "width": 32, "height": 16,
+                    "tracer": "rays", "resolution": 64, "width": 32, "height": 16,
                     "passes": [{"name": "voxelize", "median_ms": 1.5, "spread_ms": 0.25, "clock": "gpu"}],
                     "total_ms": 2.0, "volume_bytes": 4096,
                     "error": {
@@ -229,13 +253,19 @@ pub(crate) mod tests {
                 },
                 {
                     "scene": "cornell", "effect": "diffuse", "format": "sh2", "encoding": "rgba16float",
-                    "resolution": 64, "width": 32, "height": 16, "fault": "too <large>, \"so\""
+                    "tracer": "rays", "resolution": 64, "width": 32, "height": 16, "fault": "too <large>, \"so\""
                 }
             ]
         });
         let text = results().to_json().unwrap();
         assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), expected);
         assert_eq!(Results::parse(&text).unwrap(), results());
+    }
+
+    #[test]
+    fn results_without_a_tracer_are_of_cones() {
+        let text = results().to_json().unwrap().replace("\"tracer\": \"rays\",", "");
+        assert_eq!(Results::parse(&text).unwrap().rows[0].tracer, "cones");
     }
 
     #[test]

@@ -23,6 +23,8 @@ pub struct StabilityRow {
     pub format: String,
     /// Texel encoding.
     pub encoding: String,
+    /// Tracer.
+    pub tracer: String,
     /// Voxels along the grid's longest side.
     pub resolution: u32,
     /// What was measured.
@@ -80,6 +82,7 @@ pub(crate) mod tests {
             case: "leak".into(),
             format: "six_face".into(),
             encoding: "rgba16float".into(),
+            tracer: "rays".into(),
             resolution: 32,
             figure: format!("leak at {at} voxels"),
             value,
@@ -98,8 +101,8 @@ pub(crate) mod tests {
     fn json_is_of_the_documented_form() {
         let row = |value: Option<f64>, bound: Option<f64>, figure: &str, pass: bool| {
             serde_json::json!({
-                "case": "leak", "format": "six_face", "encoding": "rgba16float", "resolution": 32, "figure": figure,
-                "value": value, "bound": bound, "pass": pass
+                "case": "leak", "format": "six_face", "encoding": "rgba16float", "tracer": "rays", "resolution": 32,
+                "figure": figure, "value": value, "bound": bound, "pass": pass
             })
         };
         let expected = serde_json::json!({

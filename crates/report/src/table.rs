@@ -24,12 +24,18 @@ pub(crate) fn figures(total_ms: f64, volume_bytes: u64, error: &crate::Errors) -
 }
 
 /// Heads of the columns that say what a row is about.
-pub(crate) const SUBJECT: [&str; 5] = ["scene", "effect", "format", "encoding", "N"];
+pub(crate) const SUBJECT: [&str; 7] = ["scene", "effect", "format", "encoding", "tracer", "scale", "N"];
+
+/// Where the columns of numbers begin.
+pub(crate) const NUMBERS: usize = SUBJECT.len() - 1;
 
 /// What a row is about, as [`SUBJECT`] has it.
-pub(crate) fn subject(row: &Row) -> [String; 5] {
-    let Row { scene, effect, format, encoding, resolution, .. } = row;
-    [scene.clone(), effect.clone(), format.clone(), encoding.clone(), resolution.to_string()]
+pub(crate) fn subject(row: &Row) -> [String; 7] {
+    let Row { scene, effect, format, encoding, tracer, resolution, scale, .. } = row;
+    let scale = scale.map_or_else(|| "-".into(), |scale| format!("1/{scale}"));
+    let [scene, effect, format, encoding, tracer] =
+        [scene, effect, format, encoding, tracer].map(Clone::clone);
+    [scene, effect, format, encoding, tracer, scale, resolution.to_string()]
 }
 
 /// Aligned columns: figures to the right, notes and faults last. Ends with a line feed.
@@ -47,7 +53,7 @@ pub fn table(results: &Results) -> String {
         };
         rows.push((cells, note));
     }
-    align(&rows, 4)
+    align(&rows, NUMBERS)
 }
 
 #[cfg(test)]
@@ -57,9 +63,9 @@ mod tests {
     #[test]
     fn columns_align() {
         let expected = "\
-scene    effect   format     encoding      N  total ms   volume  RMSE  rel. MSE    bias  bias/mean   p99    FLIP  ref. s.e.
-cornell  diffuse  isotropic  rgba16float  64      2.00  4.10 kB  1.00     0.500  -0.250          -  2.00  0.1250     0.0625
-cornell  diffuse  sh2        rgba16float  64  failed: too <large>, \"so\"
+scene    effect   format     encoding     tracer  scale   N  total ms   volume  RMSE  rel. MSE    bias  bias/mean   p99    FLIP  ref. s.e.
+cornell  diffuse  isotropic  rgba16float  rays    -      64      2.00  4.10 kB  1.00     0.500  -0.250          -  2.00  0.1250     0.0625
+cornell  diffuse  sh2        rgba16float  rays    -      64  failed: too <large>, \"so\"
 ";
         assert_eq!(super::table(&results()), expected);
     }

@@ -67,6 +67,7 @@
 //! | [`Registry`] | What pipelines can name: formats, kinds of passes, tracers, and the WGSL of all. |
 //! | [`plan`] | Checks a pipeline against a scene and gives the plan. |
 //! | [`explain`] | A plan in words: passes, resources with their bytes, what was left out and why. |
+//! | [`SCALES`] | What the screen's size may be divided by where an effect gathers. |
 //! | [`check_variant`] | Whether the words of a format and of an encoding are known. |
 //! | [`Plan`] | All that a device does for a pipeline on a scene, as data. |
 //! | [`Pass`] | One pass of a plan: it runs whole or not at all. |
@@ -180,8 +181,8 @@ pub use voxlume_graph::{
     Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,
     Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind,
     Pipeline, Plan, Port, ProbeSize, Program, RAYS, Reference, Registry, Request, Resource, ResourceKind,
-    Run, SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update, Value,
-    Values, Vertices, check_variant, explain, plan, probe, screen_image,
+    Run, SCALES, SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update,
+    Value, Values, Vertices, check_variant, explain, plan, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

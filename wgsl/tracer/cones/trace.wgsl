@@ -3,7 +3,7 @@
 import package::common::basis::basis_around;
 import package::common::diffuse_cones::{DIFFUSE_HALF_SINE, DiffuseCones, FULL_RING, diffuse_direction, diffuse_weight};
 import package::common::environment::environment;
-import package::common::trace::{Apex, Gathered, LOBE_CONE, LOBE_GGX, LOBE_HEMISPHERE, Lobe, Reach, turn_of};
+import package::common::trace::{Apex, Gathered, LOBE_CONE, LOBE_GGX, LOBE_HEMISPHERE, Lobe, Reach, turn_of, vector_of};
 import package::tracer::composite::composite_cone;
 import package::tracer::cone::{Cone, cone_of};
 import package::tracer::step::trace_params;
@@ -48,14 +48,17 @@ fn lobe_cone(apex: Apex, lobe: Lobe, reach: Reach, index: u32) -> Cone {
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
     var sum = vec4f(0.0);
+    var vector = vec3f(0.0);
     var distance = 1e30;
     for (var i = 0u; i < cone_count(lobe); i++) {
-        let found = composite_cone(lobe_cone(apex, lobe, reach, i), 0.0, true);
+        let cone = lobe_cone(apex, lobe, reach, i);
+        let found = composite_cone(cone, 0.0, true);
         let arriving = found.radiance + (1.0 - found.opacity) * environment.sky;
         sum += cone_weight(lobe, i) * vec4f(arriving, found.opacity);
+        vector += cone_weight(lobe, i) * vector_of(lobe, cone.direction, arriving);
         distance = min(distance, found.distance);
     }
-    return Gathered(sum.rgb, sum.a, distance);
+    return Gathered(sum.rgb, sum.a, distance, vector);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

@@ -4,7 +4,7 @@
 import package::common::environment::environment;
 import package::common::radiance::unpack_radiance;
 import package::common::ray::{Ray, RayHit, Tangent, arrive, leave};
-import package::common::trace::{Apex, Gathered, Lobe, Reach};
+import package::common::trace::{Apex, Gathered, Lobe, Reach, vector_of};
 import package::tracer::lobe::{lobe_direction, trace_params};
 import package::walk::first_hit;
 
@@ -21,26 +21,28 @@ fn shoot(apex: Apex, lobe: Lobe, reach: Reach, origin: Tangent, index: u32, dire
     if (any(goal.normal != vec3f(0.0))) {
         distance = arrive(*direction, origin.point, goal);
     }
-    return first_hit(Ray(origin.point, *direction, distance, origin, goal), 0);
+    return first_hit(Ray(origin.point, *direction, distance, origin, goal));
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
     let origin = leave(apex);
     var sum = vec4f(0.0);
+    var vector = vec3f(0.0);
     var distance = reach.distance;
     for (var i = 0u; i < trace_params.rays; i++) {
         var direction: vec3f;
         let hit = shoot(apex, lobe, reach, origin, i, &direction);
+        var arriving = vec4f(environment.sky, 0.0);
         if (hit.found) {
             // The back of a surface of one side is dark.
-            sum += vec4f(select(vec3f(0.0), unpack_radiance(side_radiance[hit.side]), hit.shown), 1.0);
+            arriving = vec4f(select(vec3f(0.0), unpack_radiance(side_radiance[hit.side]), hit.shown), 1.0);
             distance = min(distance, hit.distance);
-        } else {
-            sum += vec4f(environment.sky, 0.0);
         }
+        sum += arriving;
+        vector += vector_of(lobe, direction, arriving.rgb);
     }
     let mean = sum / f32(trace_params.rays);
-    return Gathered(mean.rgb, mean.a, distance);
+    return Gathered(mean.rgb, mean.a, distance, vector / f32(trace_params.rays));
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

@@ -25,15 +25,18 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     let encodings: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.module).collect();
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
-        let [effects, visitors, filters, walks, meets] =
-            ["effect/", "visitor/", "filter/", "walk/", "meet/"].map(folder);
+        let [effects, visitors, filters, walks, meets, seen] =
+            ["effect/", "visitor/", "filter/", "walk/", "meet/", "seen/"].map(folder);
         let alternatives = [
             ("format", &formats[..]),
             ("encoding", &encodings),
             ("filter", &filters),
             ("tracer", &tracers),
             ("walk", &walks),
+            // Columns have no levels.
+            ("level_walk", &["walk/bricks"]),
             ("meet", &meets),
+            ("seen", &seen),
             ("effect", &effects),
             ("visitor", &visitors),
             // The others differ in the texture alone, and are checked by themselves.

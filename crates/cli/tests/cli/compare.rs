@@ -52,7 +52,7 @@ fn a_sweep_is_reported_and_not_run_twice() {
     assert!(changes[2..].len() == 4 && changes[2..].iter().all(|line| line.matches(" 1.00 ").count() >= 2));
 
     // A finished cell that is damaged, or of other settings, is made again.
-    let cell = folder.path().join("out/cells/cornell-diffuse-isotropic-rgba16float-32.json");
+    let cell = folder.path().join("out/cells/cornell-diffuse-isotropic-rgba16float-rays-32.json");
     std::fs::write(&cell, "{").unwrap();
     assert_eq!(compare(&folder, "--effects diffuse").code, Some(0));
     assert!(std::fs::read_to_string(&cell).unwrap().len() > 100);
@@ -193,7 +193,7 @@ fn an_effect_without_a_reference_is_held_against_itself_at_its_finest() {
     for row in &rows {
         assert_eq!(
             (&row["effect"], &row["held_against"]),
-            (&"depth_of_wall".into(), &"six_face rgba16float 48³".into())
+            (&"depth_of_wall".into(), &"six_face rgba16float 48³ rays".into())
         );
         // Rays ask no format.
         let itself = row["resolution"] == 48;
@@ -204,7 +204,7 @@ fn an_effect_without_a_reference_is_held_against_itself_at_its_finest() {
     assert_eq!(ran.stdout.matches("held against six_face rgba16float 48³").count(), 3, "{}", ran.stdout);
     assert!(
         text(&folder, "out/report.html")
-            .contains("<p>Held against the same effect in six_face rgba16float 48³:")
+            .contains("<p>Held against the same effect in six_face rgba16float 48³ rays:")
     );
     // No path was traced.
     assert!(
@@ -261,9 +261,9 @@ fn two_images_of_one_name() {
         "compare box.ron --pipeline two.ron --out out",
         "loading
 error: two images would be compared as `final`
-   ┌─ two.ron:67:18
+   ┌─ two.ron:79:18
    │
-67 │             run: \"composite\",
+79 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }
@@ -273,7 +273,7 @@ error: two images would be compared as `final`
 #[test]
 fn an_image_of_another_size_is_held_against_the_pixels_that_it_shades() {
     let folder = Folder::new();
-    let half = "writes: [\"shadow\"],\n            scale: 2,";
+    let half = "writes: [\"shadow\"],\n            size: \"1/2\",";
     folder.edit("half.ron", include_str!("../../../../pipelines/gi.ron"), "writes: [\"shadow\"],", half);
     let ran = |pipeline: &str| {
         let ran = compare(&folder, &format!("--effects soft_shadow --pipeline {pipeline}"));
@@ -282,6 +282,28 @@ fn an_image_of_another_size_is_held_against_the_pixels_that_it_shades() {
     };
     let (full, half) = (ran("gi"), ran("half.ron"));
     assert!((full - half).abs() < 0.3 * full, "{full} {half}");
-    let png = image::open(folder.path().join("out/images/cornell-soft_shadow-isotropic-rgba16float-32.png"));
+    let png =
+        image::open(folder.path().join("out/images/cornell-soft_shadow-isotropic-rgba16float-rays-32.png"));
     assert_eq!(png.unwrap().into_rgb8().dimensions(), (16, 16));
+}
+
+/// Tracers and scales are axes like formats: a row each, a form for each tracer in the plots.
+#[test]
+fn tracers_and_scales_are_compared() {
+    let folder = Folder::new();
+    let ran = compare(&folder, "--effects ambient_occlusion --tracers all --scales 1,4");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let rows = rows(&folder);
+    let settings: Vec<_> =
+        rows.iter().map(|row| (row["tracer"].as_str().unwrap(), row["scale"].as_u64().unwrap())).collect();
+    assert_eq!(settings, [("cones", 1), ("cones", 4), ("rays", 1), ("rays", 4)]);
+    let page = text(&folder, "out/report.html");
+    assert!(page.contains("</svg>rays</li>") && page.contains("isotropic rgba16float 32³ rays 1/4:"));
+    for (words, message) in [
+        ("--tracers sonar", "error: unknown tracer `sonar`\n = one of: cones, rays, or all"),
+        ("--scales 3", "error: effects gathered at 1/3 of the screen\n = one of: 1, 2, 4, 8"),
+    ] {
+        let ran = compare(&folder, words);
+        assert!(ran.code == Some(2) && ran.stderr.ends_with(&format!("{message}\n")), "{}", ran.stderr);
+    }
 }

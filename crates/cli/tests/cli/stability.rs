@@ -23,7 +23,10 @@ fn a_selection_is_within_its_bounds() {
     }
     let mut keys: Vec<&str> = rows[0].as_object().unwrap().keys().map(String::as_str).collect();
     keys.sort_unstable();
-    assert_eq!(keys, ["bound", "case", "encoding", "figure", "format", "pass", "resolution", "value"]);
+    assert_eq!(
+        keys,
+        ["bound", "case", "encoding", "figure", "format", "pass", "resolution", "tracer", "value"]
+    );
     assert!(json["device"]["name"].is_string() && json.as_object().unwrap().len() == 3);
     let misses = rows.iter().filter(|row| row["pass"] == false).count();
     assert_eq!(ran.stdout.matches("known miss").count(), misses, "{}", ran.stdout);
@@ -36,12 +39,12 @@ fn a_selection_is_within_its_bounds() {
 #[test]
 fn a_figure_out_of_its_bound_fails() {
     let folder = Folder::new();
-    let shader = include_str!("../../../../wgsl/effect/soft_shadow.wgsl");
+    let shader = include_str!("../../../../wgsl/effect/shadow.wgsl");
     let from = "fn effect(surface: Surface, params: Params) -> vec4f {";
     assert!(shader.contains(from));
     std::fs::create_dir_all(folder.path().join("wgsl/effect")).unwrap();
     let to = format!("{from}\n    if (surface.hit) {{ return vec4f(1.0); }}");
-    folder.file("wgsl/effect/soft_shadow.wgsl", shader.replace(from, &to));
+    folder.file("wgsl/effect/shadow.wgsl", shader.replace(from, &to));
     let ran = folder.run("stability paper --resolutions 32 --size 16x16 --formats six_face --wgsl wgsl");
     assert_eq!(ran.code, Some(1), "{}\n{}", ran.stdout, ran.stderr);
     assert!(ran.stderr.ends_with("error: 1 of 1 figures are out of their bounds\n"), "{}", ran.stderr);

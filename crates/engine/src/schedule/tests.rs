@@ -228,8 +228,16 @@ fn of_scene(scene: &str, change: impl Fn(&mut Schedule)) -> Vec<String> {
 fn a_camera_that_moves_costs_what_depends_on_it() {
     for scene in ["cornell.ron", "lights.ron", "furnace.ron"] {
         let passes = of_scene(scene, |schedule| schedule.versions.camera += 1);
-        let known =
-            ["gbuffer", "soft_shadow", "ambient_occlusion", "diffuse", "specular", "composite", "voxel_view"];
+        let known = [
+            "gbuffer",
+            "traced_shadow",
+            "soft_shadow",
+            "ambient_occlusion",
+            "diffuse",
+            "specular",
+            "composite",
+            "voxel_view",
+        ];
         assert!(passes.contains(&"gbuffer".to_owned()), "{scene}: {passes:?}");
         assert!(passes.iter().all(|pass| known.contains(&pass.as_str())), "{scene}: {passes:?}");
     }

@@ -39,8 +39,12 @@ pub(crate) fn lights(scene: &Scene, plan: &Plan, facts: &SceneFacts) -> Lights {
     let mut matrices = Vec::new();
     for light in &scene.lights {
         let layer = matrices.len() as i32;
-        list.push(punctual(light, plan, layer));
-        matrices.extend(shadow_matrices(light, plan, radius));
+        let Maps { views, extent, depth } = shadow_maps(light, plan, facts, radius);
+        let wide = f32::from(u8::from(SceneFacts::is_wide(&light.kind)));
+        let mut packed = punctual(light, plan, layer);
+        packed.corners[0] = Vec4::new(extent, depth, wide, 0.0);
+        list.push(packed);
+        matrices.extend(views);
     }
     if plan.area_lights {
         let polygons = scene.emissive_polygons(plan.grid.centre, AREA_LIGHT_LIMIT).unwrap_or_default();
@@ -96,28 +100,51 @@ fn area(polygon: &EmissivePolygon) -> Light {
     }
 }
 
-fn shadow_matrices(light: &SceneLight, plan: &Plan, radius: f32) -> Vec<Mat4> {
+/// The shadow maps of a light.
+struct Maps {
+    /// A matrix for each.
+    views: Vec<Mat4>,
+    /// Width of a map in world units; of a point or spot light's at a unit's distance.
+    extent: f32,
+    /// World units from depth 0 to 1, of a directional light.
+    depth: f32,
+}
+
+fn shadow_maps(light: &SceneLight, plan: &Plan, facts: &SceneFacts, radius: f32) -> Maps {
     let relative = |position: glam::DVec3| (position - plan.grid.centre).as_vec3();
     let near = radius * 1e-3;
     match light.kind {
         LightKind::Directional { direction, .. } => {
-            let view =
-                view::look_to_mat4(-direction * 2.0 * radius, direction, direction.any_orthonormal_vector());
-            vec![directx::orthographic(-radius, radius, -radius, radius, radius * 0.9, radius * 3.1) * view]
+            let view = view::look_to_mat4(Vec3::ZERO, direction, direction.any_orthonormal_vector());
+            // Around the scene, with room for what rounding takes.
+            let (low, high) = facts.bounds.unwrap_or((plan.grid.centre, plan.grid.centre));
+            let corners = (0..8).map(|i| {
+                let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+                view.transform_point3(relative(glam::DVec3::new(pick(0), pick(1), pick(2))))
+            });
+            let (low, high) = corners.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), corner| {
+                (low.min(corner), high.max(corner))
+            });
+            let (low, high) = (low - 0.02 * radius, high + 0.02 * radius);
+            let projection = directx::orthographic(low.x, high.x, low.y, high.y, -high.z, -low.z);
+            let extent = (high - low).truncate().max_element();
+            Maps { views: vec![projection * view], extent, depth: high.z - low.z }
         }
         LightKind::Spot { position, direction, outer, .. } => {
             let eye = relative(position);
             let view = view::look_to_mat4(eye, direction, direction.any_orthonormal_vector());
             let far = eye.length() + 2.0 * radius;
-            vec![directx::perspective((2.0 * outer).min(3.0), 1.0, near, far) * view]
+            let angle = (2.0 * outer).min(3.0);
+            let views = vec![directx::perspective(angle, 1.0, near, far) * view];
+            Maps { views, extent: 2.0 * (angle / 2.0).tan(), depth: 0.0 }
         }
         LightKind::Point { position, .. } => {
             let eye = relative(position);
             let far = eye.length() + 2.0 * radius;
             let projection = directx::perspective(std::f32::consts::FRAC_PI_2, 1.0, near, far);
             let axes = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
-            axes.map(|axis| projection * view::look_to_mat4(eye, axis, axis.any_orthonormal_vector()))
-                .to_vec()
+            let view = |axis: Vec3| view::look_to_mat4(eye, axis, axis.any_orthonormal_vector());
+            Maps { views: axes.map(|axis| projection * view(axis)).to_vec(), extent: 2.0, depth: 0.0 }
         }
     }
 }

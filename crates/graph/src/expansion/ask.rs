@@ -149,10 +149,12 @@ impl<'c, 'a> Expansion<'c, 'a> {
         })
     }
 
-    /// Whether the pixels of an image that is planned share out directions.
-    pub(crate) fn is_interleaved(&self) -> bool {
+    /// The largest scale at which planned effects take means over pixels; `None` if none does.
+    pub(crate) fn coarsest_mean(&self) -> Option<u32> {
         let context = &*self.context;
-        context.pipeline.passes.iter().any(|entry| entry.interleave > 1 && context.is_live(entry))
+        let planned = context.pipeline.passes.iter().filter(|entry| context.is_live(entry));
+        let means = planned.filter(|entry| entry.interleave > 1 || entry.scale.value > 1);
+        means.map(|entry| entry.scale.value).max()
     }
 
     /// The tracer of the entry.

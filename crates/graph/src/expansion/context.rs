@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 use voxlume_fault::Faults;
 use voxlume_format::{Encodings, Formats, StorageFormat};
-use voxlume_shader::{Binding, EFFECT, Library, Shader, link};
+use voxlume_shader::{Binding, EFFECT, Library, Shader, TRACER, link};
 
 use crate::bundle::Bundle;
 use crate::entries::sorts;
@@ -16,7 +16,7 @@ use crate::pass::{Kinds, PassKind, Sort};
 use crate::pipeline::{Located, PassEntry, Pipeline};
 use crate::plan::{LeftOut, Life, Resource, ResourceKind};
 use crate::storage::Storage;
-use crate::tracer::Tracers;
+use crate::tracer::{Tracer, Tracers};
 use crate::variant;
 
 /// What a plan is made of, apart from the pipeline and the scene.
@@ -160,7 +160,12 @@ impl<'a> Context<'a> {
 
     /// Modules that imports mean unless a pass says otherwise.
     pub fn default_mounts(&self) -> Mounts {
-        let usual = [("texel", "texel/rgba16float"), ("walk", "walk/bricks"), ("meet", "meet/sheets")];
+        let usual = [
+            ("texel", "texel/rgba16float"),
+            ("seen", "seen/pixel"),
+            ("walk", "walk/bricks"),
+            ("meet", "meet/sheets"),
+        ];
         let usual = usual.map(|(name, module)| (name, module.to_owned()));
         self.default_storage.mounts().into_iter().chain(usual).collect()
     }
@@ -227,27 +232,49 @@ impl<'a> Context<'a> {
     }
 
     /// Checks an effect's module by itself, so that faults point into it.
-    pub fn effect(&mut self, module: &str, mounts: &[(&'static str, String)]) -> Option<()> {
+    pub fn effect(&mut self, module: &str, mounts: &[(&'static str, String)]) -> Option<Shader> {
         let named: Vec<(&str, &str)> = mounts.iter().map(|(name, folder)| (*name, folder.as_str())).collect();
         let checked = link(self.library, module, &named).and_then(voxlume_shader::Linked::check);
         let shader = self.faults.gather(checked)?;
-        self.faults.gather(shader.fulfils(&EFFECT, module))
+        self.faults.gather(shader.fulfils(&EFFECT, module))?;
+        Some(shader)
     }
 
     /// Names of what tracers let a pass choose, whichever it has.
     pub fn trace_params(&self) -> Vec<String> {
         let fields = self.tracers.iter().flat_map(|tracer| {
-            let mut mounts = self.default_mounts();
-            mounts.push(("tracer", tracer.modules.to_owned()));
-            let named: Vec<(&str, &str)> =
-                mounts.iter().map(|(name, folder)| (*name, folder.as_str())).collect();
-            let module = format!("{}/trace", tracer.modules);
-            let shader = link(self.library, &module, &named).and_then(voxlume_shader::Linked::check).ok();
+            let shader = self.tracer(tracer).ok();
             shader
                 .and_then(|shader| shader.struct_layout("TraceParams"))
                 .map_or(Vec::new(), |layout| layout.fields)
         });
         fields.map(|field| field.name).collect()
+    }
+
+    /// A tracer's module by itself.
+    fn tracer(&self, tracer: &Tracer) -> Result<Shader, Faults> {
+        let mut mounts = self.default_mounts();
+        mounts.push(("tracer", tracer.modules.to_owned()));
+        let named: Vec<(&str, &str)> = mounts.iter().map(|(name, folder)| (*name, folder.as_str())).collect();
+        let module = format!("{}/trace", tracer.modules);
+        link(self.library, &module, &named).and_then(voxlume_shader::Linked::check)
+    }
+
+    /// Checks the tracers of planned passes by themselves, so that what is missing is said once, by its signature.
+    pub fn check_tracers(&mut self) {
+        let live = self.pipeline.passes.iter().filter(|entry| self.is_live(entry));
+        let traces = live.filter(|entry| self.kinds.of(entry).traces());
+        let mut tracers: Vec<&Tracer> = traces.map(|entry| self.tracers.of(self.pipeline, entry)).collect();
+        tracers.sort_by_key(|tracer| tracer.name);
+        tracers.dedup();
+        let faults: Vec<Faults> = tracers
+            .into_iter()
+            .filter_map(|tracer| {
+                let module = format!("{}/trace", tracer.modules);
+                self.tracer(tracer).and_then(|shader| shader.fulfils(&TRACER, &module)).err()
+            })
+            .collect();
+        faults.into_iter().for_each(|faults| self.faults.extend(faults));
     }
 
     /// Values for the scene-wide `override`s.

@@ -1,5 +1,7 @@
 //! What a kind of pass makes: resources, what its written names stand for, steps.
 
+use voxlume_shader::Shader;
+
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Run};
 use crate::plan::{LeftOut, Life, ResourceKind, Step};
@@ -83,7 +85,7 @@ impl<'c, 'a> Expansion<'c, 'a> {
     }
 
     /// Checks an effect's module by itself, so that faults point into it.
-    pub(crate) fn checked_effect(&mut self, module: &str) -> Option<()> {
+    pub(crate) fn checked_effect(&mut self, module: &str) -> Option<Shader> {
         let mounts = self.mounts(&[], None);
         self.context.effect(module, &mounts)
     }

@@ -3,7 +3,13 @@
 use super::{PassKind, Port, Sort};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over, screen_image};
-use crate::plan::{ImageTexel, Target};
+use crate::pipeline::SCALES;
+use crate::plan::{ImageExtent, ImageTexel, ResourceKind, Target};
+
+/// The guide of the screen over `scale` (see wgsl/common/guide.wgsl).
+pub(super) fn guide_name(scale: u32) -> String {
+    if scale == 1 { "guide".to_owned() } else { format!("guide_{scale}") }
+}
 
 /// See [`PassKind::sentence`].
 #[derive(Debug)]
@@ -45,15 +51,30 @@ impl PassKind for Gbuffer {
         });
         let depth = pass.part("surface", "depth", screen_image(ImageTexel::Depth32, 1));
         bundle.add("depth", Target::Resource(depth));
-        let guide = pass.is_interleaved().then(|| {
-            let guide = pass.part("surface", "guide", screen_image(ImageTexel::Rgba32Float, 1));
-            bundle.add("guide", Target::Resource(guide));
-            guide
-        });
+        let scales = SCALES.into_iter().filter(|scale| Some(*scale) <= pass.coarsest_mean());
+        let scales: Vec<u32> = scales.collect();
+        let guides: Vec<usize> = scales
+            .into_iter()
+            .map(|scale| {
+                let (extent, texel) = (ImageExtent::Screen { divisor: scale }, ImageTexel::Rgba32Float);
+                let name = guide_name(scale);
+                let guide =
+                    pass.part("surface", &name, ResourceKind::Image { extent, texel, layers: 1, mips: 1 });
+                bundle.add(&name, Target::Resource(guide));
+                guide
+            })
+            .collect();
         pass.makes(bundle);
         pass.run("pass/gbuffer").with("HAS_EMISSION", emissive).draws(&colors, (depth, 0), true);
-        if let Some(guide) = guide {
+        if let Some(&guide) = guides.first() {
             pass.run("pass/guide").writes("image", Target::Resource(guide)).over(Over::Texels(guide));
+        }
+        for (pair, scale) in guides.windows(2).zip(SCALES) {
+            pass.run("pass/reduce")
+                .reads("guide", Target::Resource(pair[0]))
+                .writes("image", Target::Resource(pair[1]))
+                .with("SCALE", scale)
+                .over(Over::Texels(pair[1]));
         }
         if !emissive {
             let [width, height] = pass.screen().map(u64::from);

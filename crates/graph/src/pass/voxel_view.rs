@@ -99,6 +99,7 @@ impl PassKind for VoxelView {
                 .over(Over::Cells(level));
         }
         pass.run("pass/voxel_view")
+            .mount("level_walk", "walk/bricks")
             .mount("meet", "meet/cells")
             .reads("shown_voxels", shown)
             .reads("step_params", step_params(level))

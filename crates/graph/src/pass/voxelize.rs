@@ -71,6 +71,12 @@ impl PassKind for Voxelize {
                 values: Values::Words(&["sum", "max", "running_average"]),
             },
             ParamWords {
+                name: "walk",
+                sentence: "what rays walk through: bricks of cells, or columns of bits along z (VGI §4); what they meet is the \
+                           same; `bricks` unless given",
+                values: Values::Words(&["bricks", "columns"]),
+            },
+            ParamWords {
                 name: "resolution",
                 sentence: "voxels along the longest side of a grid of its own; the pipeline's grid unless given",
                 values: Values::Whole(*Grid::RESOLUTIONS.start(), *Grid::RESOLUTIONS.end()),
@@ -96,7 +102,8 @@ impl PassKind for Voxelize {
             return;
         }
         let Some(method) = method(pass) else { return };
-        let voxels = Voxels::new(pass, coverage, conflict);
+        let columns = pass.word_or("walk", "bricks") == Some("columns");
+        let voxels = Voxels::new(pass, coverage, conflict, columns);
         voxels.steps(pass, method);
         if !pass.voxel_emission() {
             let why = match pass.facts().emissive {
@@ -171,21 +178,25 @@ struct Voxels {
     stride: u32,
     /// Words of the bitmask of all levels.
     all: u32,
+    /// Whether columns of bits follow the bitmask.
+    columns: bool,
 }
 
 impl Voxels {
-    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str) -> Voxels {
+    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str, columns: bool) -> Voxels {
         let triangles = pass.facts().triangles;
         let (_, all) = pass.grid().word_offsets();
         let level_bytes = u64::from(pass.grid().levels()) * LEVEL_RUN_BYTES;
         let stride = attribute_stride(pass.voxel_emission(), coverage);
+        let column_words = if columns { pass.grid().column_words().iter().sum() } else { 0 };
         let mut bundle = pass.grid_bundle();
+        bundle.mount("walk", if columns { "walk/columns" } else { "walk/bricks" });
         let mut part = |name: &str, kind| {
             let resource = pass.part("voxels", name, kind);
             bundle.add(name, Target::Resource(resource));
             resource
         };
-        let occupancy = part("occupancy", words(all));
+        let occupancy = part("occupancy", words(all + column_words));
         let ranks = part("ranks", words(all + 1));
         let levels = part("levels", ResourceKind::Buffer(level_bytes));
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
@@ -198,7 +209,7 @@ impl Voxels {
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
         pass.counts_cells(levels);
-        Voxels { occupancy, ranks, attributes, sheet_sums, stride, all }
+        Voxels { occupancy, ranks, attributes, sheet_sums, stride, all, columns }
     }
 
     fn steps(&self, pass: &mut Expansion<'_, '_>, method: Method) {
@@ -219,6 +230,12 @@ impl Voxels {
             pass.run("pass/hierarchy")
                 .reads("step_params", step_params(level))
                 .over(Over::Groups(groups_for(grid.level_words(level), 64)));
+        }
+        let columns = if self.columns { grid.column_words() } else { Vec::new() };
+        for (level, words) in (0..).zip(columns) {
+            pass.run("pass/columns")
+                .reads("step_params", step_params(level))
+                .over(Over::Groups(groups_for(words, 64)));
         }
         scan(pass, &[], ranks, all + 1, true);
         pass.run("pass/level_runs").over(Over::Groups([1, 1, 1]));
@@ -259,7 +276,15 @@ impl Voxels {
         let attributes = pass.part("voxels", "static_attributes", kind);
         let kind = ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4);
         let sheet_sums = pass.part("voxels", "static_sheet_sums", kind);
-        let fixed = Voxels { occupancy, ranks, attributes, sheet_sums, stride: self.stride, all: finest };
+        let fixed = Voxels {
+            occupancy,
+            ranks,
+            attributes,
+            sheet_sums,
+            stride: self.stride,
+            all: finest,
+            columns: false,
+        };
         let targets = [
             ("occupancy", occupancy),
             ("ranks", ranks),

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use voxlume_fault::ron::{Fields, Node};
-use voxlume_fault::{Fault, Faults, suggest};
+use voxlume_fault::{Fault, Faults, one_of, suggest};
 
 use super::{Located, located, optional_word};
 use crate::expansion::LAST;
@@ -36,12 +36,17 @@ pub struct PassEntry {
     pub image: ImageWords,
     /// When it runs.
     pub update: Update,
+    /// What the image's size is divided by where the effect gathers, one of [`SCALES`]; what it gives is then brought up to
+    /// the image's size.
+    pub scale: Located<u32>,
     /// Pixels along each side of a tile that share out the effect's directions: 4 or 8; 1 where each traces all.
     pub interleave: u32,
     /// What its image's values are; light unless given.
     pub shows: Option<Located<Shows>>,
     /// What its image is held against; the finest setting compared unless given.
     pub reference: Option<Located<Reference>>,
+    /// Whether comparisons have its image; they do unless the entry says otherwise.
+    pub compared: bool,
     /// Its parameters.
     pub params: Vec<Param>,
     /// Bytes of `run`'s value, for faults about the whole.
@@ -51,12 +56,20 @@ pub struct PassEntry {
 /// What an entry says of the image that it writes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageWords {
-    /// `scale: n`, the screen's size over n; or `size: (width, height)`.
+    /// `size: (width, height)`, or `size: "1/n"` of the screen's.
     pub extent: ImageExtent,
     /// `texel: "rgba16float"`.
     pub texel: ImageTexel,
     /// Where the file says any of it.
     pub span: Option<Range<usize>>,
+}
+
+/// Values of `scale`.
+pub const SCALES: [u32; 4] = [1, 2, 4, 8];
+
+/// They in words.
+pub(crate) fn scales() -> String {
+    one_of(SCALES.map(|scale| scale.to_string()).iter().map(String::as_str))
 }
 
 impl PassEntry {
@@ -141,12 +154,14 @@ pub(super) fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntr
     let update = update(&mut fields, faults);
     let writes = names(&mut fields, "writes", faults);
     let updates = names(&mut fields, "updates", faults);
+    let scale = scale(&mut fields, faults);
     let interleave = interleave(&mut fields, faults);
     let when = optional_word(&mut fields, "when", faults);
     let layers = optional_word(&mut fields, "layers", faults);
     let tracer = optional_word(&mut fields, "tracer", faults);
     let shows = choice(&mut fields, "shows", &Shows::WORDS, faults);
     let reference = choice(&mut fields, "reference", &Reference::WORDS, faults);
+    let compared = fields.optional::<bool>("compare", faults).unwrap_or(true);
     let params: Vec<Param> = match fields.node("params").map(|node| faults.gather(node.fields())) {
         Some(Some(list)) => list
             .iter()
@@ -187,9 +202,11 @@ pub(super) fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntr
         aliases,
         image,
         update,
+        scale,
         interleave,
         shows,
         reference,
+        compared,
         params,
         span,
     })
@@ -209,33 +226,43 @@ fn take_aliases(reads: &mut [Located<String>]) -> Vec<(String, String)> {
 }
 
 /// Largest whole number that the screen's size can be divided by.
-const LARGEST_SCALE: u32 = 64;
+const LEAST_SHARE: u32 = 64;
+
+/// `(width, height)` or `"1/n"`.
+fn extent(node: Node<'_>) -> Option<ImageExtent> {
+    if let Ok(share) = node.get::<String>() {
+        let divisor = share.strip_prefix("1/")?.parse().ok()?;
+        return (1..=LEAST_SHARE).contains(&divisor).then_some(ImageExtent::Screen { divisor });
+    }
+    let size = <[u32; 2]>::try_from(node.get::<Vec<u32>>().ok()?).ok()?;
+    size.iter().all(|side| (1..=TEXTURE_2D).contains(side)).then_some(ImageExtent::Fixed(size))
+}
+
+/// `scale: 2`.
+fn scale(fields: &mut Fields<'_>, faults: &mut Faults) -> Located<u32> {
+    let Some(node) = fields.node("scale") else { return Located { value: 1, span: None } };
+    let value = node.get::<u32>().ok().filter(|scale| SCALES.contains(scale));
+    if value.is_none() {
+        let label = format!("{}; 2 gathers for every second pixel along x and y", scales());
+        let note = "an image that is itself smaller than the screen has `size: \"1/3\"`";
+        faults.push(node.fault("unknown `scale`", label).note(note));
+    }
+    Located { value: value.unwrap_or(1), span: Some(node.span()) }
+}
 
 fn image_words(fields: &mut Fields<'_>, faults: &mut Faults) -> ImageWords {
-    let (scale, size, texel) = (fields.node("scale"), fields.node("size"), fields.node("texel"));
-    let span = scale.or(size).or(texel).map(|node| node.span());
-    let divisor = scale.and_then(|node| match node.get::<u32>() {
-        Ok(divisor) if (1..=LARGEST_SCALE).contains(&divisor) => Some(divisor),
-        _ => {
-            let label = format!("a whole number from 1 to {LARGEST_SCALE}: 2 is half the screen's size");
-            faults.push(node.fault("`scale` must divide the screen", label));
-            None
+    let (size, texel) = (fields.node("size"), fields.node("texel"));
+    let span = size.or(texel).map(|node| node.span());
+    let extent = size.and_then(|node| {
+        let extent = extent(node);
+        if extent.is_none() {
+            let label = format!(
+                "width and height, each from 1 to {TEXTURE_2D}; or a share of the screen's from \"1/1\" to \"1/{LEAST_SHARE}\""
+            );
+            faults.push(node.fault("`size` must be that of an image", label));
         }
+        extent
     });
-    let size =
-        size.and_then(|node| match node.get::<Vec<u32>>().ok().and_then(|n| <[u32; 2]>::try_from(n).ok()) {
-            Some(size) if size.iter().all(|side| (1..=TEXTURE_2D).contains(side)) => Some((size, node)),
-            _ => {
-                let label = format!("width and height, each from 1 to {TEXTURE_2D}");
-                faults.push(node.fault("`size` must be that of an image", label));
-                None
-            }
-        });
-    if let (Some(_), Some((_, node))) = (divisor, size) {
-        faults.push(node.fault("both `scale` and `size`", "one of them says the image's size"));
-    }
-    let extent = size
-        .map_or(ImageExtent::Screen { divisor: divisor.unwrap_or(1) }, |(size, _)| ImageExtent::Fixed(size));
     let texel = texel.and_then(|node| {
         let word = faults.gather(node.get::<String>())?;
         let known = ImageTexel::WRITABLE.into_iter().find(|texel| texel.name() == word);
@@ -245,6 +272,7 @@ fn image_words(fields: &mut Fields<'_>, faults: &mut Faults) -> ImageWords {
         }
         known
     });
+    let extent = extent.unwrap_or(ImageExtent::SCREEN);
     ImageWords { extent, texel: texel.unwrap_or(ImageTexel::Rgba16Float), span }
 }
 

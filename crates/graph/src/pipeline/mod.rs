@@ -11,7 +11,8 @@ use voxlume_fault::ron::{Document, Fields, Node};
 use voxlume_fault::{Fault, Faults, Source, one_of};
 use voxlume_scene::WORLD_LIMIT;
 
-pub use entry::{ImageWords, Param, PassEntry, Value};
+pub(crate) use entry::scales;
+pub use entry::{ImageWords, Param, PassEntry, SCALES, Value};
 
 use crate::grid::Extent;
 use crate::tracer::CONES;

@@ -11,14 +11,14 @@ fn unknown_pass() {
        ┌─ p.ron:19:15
        │
     19 │         (run: "fliter", reads: ["voxels", "radiance"], writes: ["volume"]),
-       │               ^^^^^^^^ did you mean `filter`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/soft_shadow, effect/specular
+       │               ^^^^^^^^ did you mean `filter`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/shadow, effect/soft_shadow, effect/specular
     "#);
     assert_snapshot!(message(&[(r#"effect/diffuse"#, r#"effect/difuse"#)]), @r#"
     error: unknown pass `effect/difuse`
        ┌─ p.ron:28:18
        │
     28 │             run: "effect/difuse",
-       │                  ^^^^^^^^^^^^^^^ did you mean `effect/diffuse`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/soft_shadow, effect/specular
+       │                  ^^^^^^^^^^^^^^^ did you mean `effect/diffuse`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/shadow, effect/soft_shadow, effect/specular
     "#);
 }
 
@@ -29,7 +29,7 @@ fn unknown_condition() {
        ┌─ p.ron:37:19
        │
     37 │             when: "shiny",
-       │                   ^^^^^^^ one of: lights, glossy, shadow_mapped_lights, gathered_light
+       │                   ^^^^^^^ one of: lights, wide_lights, glossy, shadow_mapped_lights, gathered_light
     "#);
 }
 
@@ -251,7 +251,7 @@ fn several_faults_at_once() {
        ┌─ p.ron:19:15
        │
     19 │         (run: "fliter", reads: ["voxels", "radiance"], writes: ["volume"]),
-       │               ^^^^^^^^ did you mean `filter`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/soft_shadow, effect/specular
+       │               ^^^^^^^^ did you mean `filter`? one of: voxelize, shadow_maps, emission, light, filter, bounce, gbuffer, composite, voxel_view, effect/ambient_occlusion, effect/diffuse, effect/shadow, effect/soft_shadow, effect/specular
 
     error: pass `composite` must read `diffuse`
        ┌─ p.ron:41:18

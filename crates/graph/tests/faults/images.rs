@@ -55,7 +55,7 @@ const FLOATS: &str = "source: texture_2d_array<f32>";
 fn an_effect_stands_between_another_and_the_composite() {
     assert_eq!(between(FLOATS, "\"diffuse as source\"", ""), "no fault");
     // Whatever its size and texels.
-    assert_eq!(between(FLOATS, "\"diffuse as source\"", "scale: 3, texel: \"r32float\","), "no fault");
+    assert_eq!(between(FLOATS, "\"diffuse as source\"", "size: \"1/3\", texel: \"r32float\","), "no fault");
     let whole = "source: texture_2d_array<u32>";
     assert_eq!(between(whole, "\"diffuse as source\"", "size: (7, 9), texel: \"r32uint\","), "no fault");
     // Its own value of the last frame, and another's.
@@ -128,40 +128,51 @@ fn last_values() {
 
 #[test]
 fn sizes() {
-    assert_snapshot!(diffuse("scale: 0"), @r#"
-    error: `scale` must divide the screen
+    assert_snapshot!(diffuse("scale: 3"), @r#"
+    error: unknown `scale`
        ┌─ p.ron:30:41
        │
-    30 │             writes: ["diffuse"], scale: 0,
-       │                                         ^ a whole number from 1 to 64: 2 is half the screen's size
+    30 │             writes: ["diffuse"], scale: 3,
+       │                                         ^ one of: 1, 2, 4, 8; 2 gathers for every second pixel along x and y
+       │
+       = an image that is itself smaller than the screen has `size: "1/3"`
     "#);
     assert_snapshot!(diffuse("scale: 0.5"), @r#"
-    error: `scale` must divide the screen
+    error: unknown `scale`
        ┌─ p.ron:30:41
        │
     30 │             writes: ["diffuse"], scale: 0.5,
-       │                                         ^^^ a whole number from 1 to 64: 2 is half the screen's size
+       │                                         ^^^ one of: 1, 2, 4, 8; 2 gathers for every second pixel along x and y
+       │
+       = an image that is itself smaller than the screen has `size: "1/3"`
+    "#);
+    assert_snapshot!(diffuse("size: \"1/65\""), @r#"
+    error: `size` must be that of an image
+       ┌─ p.ron:30:40
+       │
+    30 │             writes: ["diffuse"], size: "1/65",
+       │                                        ^^^^^^ width and height, each from 1 to 8192; or a share of the screen's from "1/1" to "1/64"
     "#);
     assert_snapshot!(diffuse("size: (0, 4)"), @r#"
     error: `size` must be that of an image
        ┌─ p.ron:30:40
        │
     30 │             writes: ["diffuse"], size: (0, 4),
-       │                                        ^ width and height, each from 1 to 8192
+       │                                        ^ width and height, each from 1 to 8192; or a share of the screen's from "1/1" to "1/64"
     "#);
     assert_snapshot!(diffuse("size: (8193, 4)"), @r#"
     error: `size` must be that of an image
        ┌─ p.ron:30:40
        │
     30 │             writes: ["diffuse"], size: (8193, 4),
-       │                                        ^ width and height, each from 1 to 8192
+       │                                        ^ width and height, each from 1 to 8192; or a share of the screen's from "1/1" to "1/64"
     "#);
     assert_snapshot!(diffuse("scale: 2, size: (4, 4)"), @r#"
-    error: both `scale` and `size`
-       ┌─ p.ron:30:50
+    error: pass `diffuse` has both `scale` and `size`
+       ┌─ p.ron:30:41
        │
     30 │             writes: ["diffuse"], scale: 2, size: (4, 4),
-       │                                                  ^ one of them says the image's size
+       │                                         ^ `scale` brings an effect up to the screen's size; an image of another size is left as it is
     "#);
     assert_snapshot!(diffuse("texel: \"rgb8\""), @r#"
     error: unknown texel `rgb8`
@@ -171,11 +182,11 @@ fn sizes() {
        │                                         ^^^^^^ one of: rgba16float, rgba32float, rg32float, r32float, r32uint, rgba8unorm
     "#);
     assert_snapshot!(diffuse("interleave: true, texel: \"r32float\""), @r#"
-    error: pass `diffuse` can't interleave r32float texels
+    error: pass `diffuse` can't have `interleave` with r32float texels
        ┌─ p.ron:30:59
        │
     30 │             writes: ["diffuse"], interleave: true, texel: "r32float",
-       │                                                           ^^^^^^^^^^ `interleave` takes the mean of rgba16float
+       │                                                           ^^^^^^^^^^ it takes means, of rgba16float alone
     "#);
 }
 

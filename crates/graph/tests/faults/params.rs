@@ -52,7 +52,7 @@ fn unknown() {
       ┌─ p.ron:8:56
       │
     8 │         (run: "voxelize", writes: ["voxels"], params: (size: 3)),
-      │                                                        ^^^^ one of: coverage, conflict, min, max, resolution, method, cutoff
+      │                                                        ^^^^ one of: coverage, conflict, min, max, resolution, method, cutoff, walk
     "#);
 }
 

@@ -40,18 +40,20 @@ pub struct Cell<'p> {
 pub struct Cells<'p> {
     pub subjects: Vec<Subject>,
     pub cells: Vec<Cell<'p>>,
-    /// What effects without a reference are held against: the first format and encoding at the finest resolution.
+    /// What effects without a reference are held against: the first format, encoding, tracer and scale at the finest
+    /// resolution.
     pub finest: Setting,
 }
 
 impl Cell<'_> {
     /// The stem of its files.
     pub fn stem(&self, subjects: &[Subject]) -> String {
-        let Setting { format, encoding, resolution } = &self.setting;
+        let Setting { format, encoding, tracer, resolution, scale } = &self.setting;
         let label = &subjects[self.subject].label;
+        let scale = scale.map(|scale| format!("-scale{scale}")).unwrap_or_default();
         // Options have characters that files' names can't have everywhere.
         let [format, encoding] = [format, encoding].map(|word| word.replace(':', "+"));
-        format!("{label}-{}-{format}-{encoding}-{resolution}", self.effect.name)
+        format!("{label}-{}-{format}-{encoding}-{tracer}-{resolution}{scale}", self.effect.name)
     }
 }
 
@@ -103,7 +105,7 @@ fn effects<'p>(sweep: &Sweep<'p>, faults: &mut Faults) -> Vec<Effect<'p>> {
 }
 
 fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
-    let Settings { registry, pipeline, size: [width, height], ref tracer, .. } = sweep.settings;
+    let Settings { registry, pipeline, size: [width, height], .. } = sweep.settings;
     let mut subjects: Vec<Subject> = Vec::new();
     for (path, label) in sweep.scenes.iter().zip(labels(&sweep.scenes)) {
         if subjects.iter().any(|subject| subject.label == label) {
@@ -114,8 +116,7 @@ fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
         let Some(camera) = faults.gather(scene.camera(sweep.camera.as_deref()).cloned()) else { continue };
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
         // What is wrong with the pipeline or the size is so in every cell.
-        let request = Request { tracer: tracer.clone(), ..Request::image(width, height) };
-        let plan = faults.gather(voxlume::plan(pipeline, &facts, registry, &request));
+        let plan = faults.gather(voxlume::plan(pipeline, &facts, registry, &Request::image(width, height)));
         let area_lights = plan.is_some_and(|plan| plan.area_lights);
         let digest = SceneDigest::of(&scene);
         subjects.push(Subject { label, scene, digest, facts, camera, area_lights });

@@ -187,13 +187,15 @@ impl Run<'_> {
     }
 
     fn row(&self, cell: &Cell<'_>, outcome: Outcome) -> Row {
-        let Setting { format, encoding, resolution } = cell.setting.clone();
+        let Setting { format, encoding, tracer, resolution, scale } = cell.setting.clone();
         Row {
             scene: self.subjects[cell.subject].label.clone(),
             effect: cell.effect.name.to_owned(),
             format,
             encoding,
+            tracer,
             resolution,
+            scale,
             width: self.sweep.settings.size[0],
             height: self.sweep.settings.size[1],
             held_against: cell.effect.reference.is_none().then(|| self.finest.to_string()),

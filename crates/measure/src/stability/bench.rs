@@ -61,7 +61,7 @@ impl Bench<'_> {
 
     /// Whether what is traced tells the sides of a surface apart: by its format, or as rays do.
     pub fn is_directional(&self) -> bool {
-        self.settings.tracer_word() == RAYS.name || !self.setting.format.starts_with("isotropic")
+        self.setting.tracer == RAYS.name || !self.setting.format.starts_with("isotropic")
     }
 }
 

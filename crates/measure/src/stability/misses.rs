@@ -113,11 +113,11 @@ const HALF_HIGH: &str = "half floats end at 65504, which images are clamped to";
 const BYTES: &str = "bytes hold 255 steps of a declared range, by default up to 4: what is dimmer than half a step is lost, what \
                      is brighter is clamped";
 
-/// Why a row that was traced so misses its bound, where that is known.
-pub fn reason(row: &StabilityRow, tracer: &str) -> Option<&'static str> {
+/// Why a row misses its bound, where that is known.
+pub fn reason(row: &StabilityRow) -> Option<&'static str> {
     let known = MISSES.iter().find(|miss| {
         miss.case == row.case
-            && miss.tracer.is_none_or(|of| of == tracer)
+            && miss.tracer.is_none_or(|of| of == row.tracer)
             && (miss.of.is_empty()
                 || [&row.format, &row.encoding].iter().any(|of| miss.of.contains(&of.as_str())))
             && row.figure.starts_with(miss.figure)

@@ -46,7 +46,7 @@ pub fn run(suite: &Suite<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
             Err(failure @ Error::Input(_)) if done == 0 => return Err(failure),
             figures => figures,
         };
-        stability.rows.extend(rows(cell, suite.settings.tracer_word(), figures));
+        stability.rows.extend(rows(cell, figures));
         done += 1;
         // Later cells get a device that works.
         if gpu.check().is_err() {
@@ -72,7 +72,8 @@ fn cells(suite: &Suite<'_>) -> Result<Vec<Cell>, Faults> {
     {
         let settings = match case.measure {
             Measure::Loaded(_) => {
-                vec![Setting { format: "-".into(), encoding: "-".into(), resolution: 0 }]
+                let [format, encoding, tracer] = ["-"; 3].map(str::to_owned);
+                vec![Setting { format, encoding, tracer, resolution: 0, scale: None }]
             }
             Measure::Rendered(_) => {
                 Setting::each(&variants, if asked.is_empty() { case.resolutions } else { &asked })
@@ -94,11 +95,12 @@ fn measure(cell: &Cell, suite: &Suite<'_>, gpu: &Gpu) -> Figures {
     }
 }
 
-fn rows(cell: &Cell, tracer: &str, figures: Figures) -> Vec<StabilityRow> {
+fn rows(cell: &Cell, figures: Figures) -> Vec<StabilityRow> {
     let row = |figure: String, value: f64, bound, pass, at| StabilityRow {
         case: cell.case.name.into(),
         format: cell.setting.format.clone(),
         encoding: cell.setting.encoding.clone(),
+        tracer: cell.setting.tracer.clone(),
         resolution: cell.setting.resolution,
         figure,
         value,
@@ -113,7 +115,7 @@ fn rows(cell: &Cell, tracer: &str, figures: Figures) -> Vec<StabilityRow> {
             .map(|figure| {
                 let pass = figure.pass();
                 let row = row(figure.name, figure.value, figure.bound, pass, figure.at);
-                let reason = misses::reason(&row, tracer).filter(|_| !pass).map(str::to_owned);
+                let reason = misses::reason(&row).filter(|_| !pass).map(str::to_owned);
                 StabilityRow { reason, ..row }
             })
             .collect(),

@@ -80,6 +80,9 @@ fn a_spot_fades_between_its_angles() {
                 let camera = look(point + Vec3::Y, point);
                 let request = lambert(camera, Quantity::Final { bounces: 0 }, 2);
                 assert_eq!(measure(&scene, &request), (0.0, 0.0));
+                // Nor is it seen from there, though nothing stands in between.
+                let seen = lambert(look(point + Vec3::Y, point), Quantity::SoftShadow { light: 0 }, 2);
+                assert_eq!(measure(&scene, &seen), (0.0, 0.0));
             } else {
                 // The fade's slope over a pixel's footprint.
                 let camera = look(point + Vec3::new(0.3, 1.0, 0.2), point);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::head;
+use super::{distinct, forms, head};
 use crate::number::{mark, short};
 use crate::plot::{Plot, Point, SERIES, escape};
 use crate::stability::{Stability, StabilityRow};
@@ -21,15 +21,26 @@ pub fn stability_page(stability: &Stability, date: &str) -> String {
     for (index, name) in series.iter().enumerate() {
         let _ = write!(html, "<li class=\"s{}\">{}</li>", index % SERIES, escape(name));
     }
+    let tracers =
+        distinct(stability.rows.iter().filter(|row| row.at.is_some()).map(|row| row.tracer.as_str()));
+    html += &forms(&tracers);
     html += "</ul>\n<div class=\"plots\">\n";
     for (case, axis) in sweeps(stability) {
         let points = stability.rows.iter().filter(|row| row.case == case).filter_map(|row| {
             Some(Point {
                 series: series.iter().position(|name| *name == series_of(row))?,
+                shape: tracers.iter().position(|tracer| *tracer == row.tracer)?,
                 cost: row.at?.1,
                 error: row.value.abs(),
                 label: row.resolution.to_string(),
-                title: format!("{} {}³, {}: {}", row.format, row.resolution, row.figure, short(row.value)),
+                title: format!(
+                    "{} {} {}³, {}: {}",
+                    row.format,
+                    row.tracer,
+                    row.resolution,
+                    row.figure,
+                    short(row.value)
+                ),
             })
         });
         let (points, error) = (points.collect(), "size of the figure");
@@ -61,7 +72,7 @@ fn sweeps(stability: &Stability) -> Vec<(&str, &'static str)> {
 
 fn table(html: &mut String, stability: &Stability) {
     html.push_str("<section>\n<h2>All figures</h2>\n<div class=\"wide\"><table>\n<thead><tr>");
-    for head in ["case", "format", "encoding", "N", "figure", "value", "bound", "", "reason"] {
+    for head in ["case", "format", "encoding", "tracer", "N", "figure", "value", "bound", "", "reason"] {
         let _ = write!(html, "<th>{head}</th>");
     }
     html.push_str("</tr></thead>\n<tbody>\n");
@@ -70,6 +81,7 @@ fn table(html: &mut String, stability: &Stability) {
             row.case.clone(),
             row.format.clone(),
             row.encoding.clone(),
+            row.tracer.clone(),
             row.resolution.to_string(),
             row.figure.clone(),
             short(row.value),
@@ -95,7 +107,7 @@ mod tests {
     fn a_curve_and_a_table() {
         let html = stability_page(&stability(), "2025-01-02 03:04 UTC");
         assert_eq!(html.matches("<svg").count(), 1);
-        assert!(html.contains("<title>six_face 32³, leak at 0.5 voxels: 0.250</title>"));
+        assert!(html.contains("<title>six_face rays 32³, leak at 0.5 voxels: 0.250</title>"));
         assert!(html.contains("class=\"curve s0\""));
         assert!(html.contains("<tr class=\"missed\"><td>leak</td>") && html.contains("<td>FAIL</td>"));
         assert!(html.contains("1 at 0, or no number") && !html.contains("Pareto"));
