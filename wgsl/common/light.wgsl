@@ -49,8 +49,8 @@ struct Incidence {
     direction: vec3f,
     // To the light's centre, world units.
     distance: f32,
-    // Tangent of half the angle that the light spans.
-    tangent: f32,
+    // Sine of half the angle that the light spans.
+    sine: f32,
     // On the surface, unoccluded, W·m⁻².
     irradiance: vec3f,
 }
@@ -69,13 +69,33 @@ fn area_part(corners: array<vec3f, 4>, light: Light, position: vec3f, irradiance
     let area = 0.5 * length(cross(corners[2] - corners[0], corners[3] - corners[1]));
     // The disc of the same solid angle, to first order.
     let tangent = sqrt(area * abs(facing) / PI) / distance;
-    return Incidence(direction, distance, tangent, select(vec3f(0.0), irradiance, facing > 0.0 || light.size > 0.0));
+    return Incidence(direction, distance, sine_of(tangent), select(vec3f(0.0), irradiance, facing > 0.0 || light.size > 0.0));
+}
+
+fn sine_of(tangent: f32) -> f32 {
+    return tangent * inverseSqrt(1.0 + tangent * tangent);
+}
+
+// Mean of the cosine with a normal, as far as it is positive, over a disc in the sky, over what it is where the disc is straight above
+// a surface: Snyder, "Area Light Sources for Real-Time Graphics", Microsoft Research MSR-TR-96-11, 1996, as Lagarde and de Rousiers
+// write it ("Moving Frostbite to PBR", 2014, listing 9). `cosine` is that of the disc's middle, `half_sine` that of its half angle.
+fn disc_cosine(cosine: f32, half_sine: f32) -> f32 {
+    let sine2 = half_sine * half_sine;
+    if (cosine * cosine >= sine2) {
+        return max(cosine, 0.0);
+    }
+    let sine = sqrt(1.0 - cosine * cosine);
+    let x = sqrt(max(1.0 / sine2 - 1.0, 0.0));
+    let y = clamp(-x * cosine / sine, -1.0, 1.0);
+    let edge = sine * sqrt(1.0 - y * y);
+    return max((cosine * acos(y) - x * edge + atan2(edge, x) / sine2) / PI, 0.0);
 }
 
 fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
     if (HAS_DIRECTIONAL && light.kind == LIGHT_DIRECTIONAL) {
-        let cosine = max(dot(light.position, normal), 0.0);
-        return Incidence(light.position, 1e30, light.size, light.intensity * cosine);
+        let half_sine = sine_of(light.size);
+        let cosine = disc_cosine(dot(light.position, normal), half_sine);
+        return Incidence(light.position, 1e30, half_sine, light.intensity * cosine);
     }
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         let corners = area_corners(light);
@@ -86,10 +106,12 @@ fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
     let distance = max(length(offset), 1e-20);
     let nearest = max(distance, light.size);
     let direction = offset / distance;
-    var irradiance = light.intensity * max(dot(direction, normal), 0.0) / max(nearest * nearest, 1e-30);
+    let half_sine = light.size / nearest;
+    let cosine = disc_cosine(dot(direction, normal), half_sine);
+    var irradiance = light.intensity * cosine / max(nearest * nearest, 1e-30);
     if (HAS_SPOT && light.kind == LIGHT_SPOT) {
         let shade = saturate(-dot(direction, light.direction) * light.falloff.x + light.falloff.y);
         irradiance *= shade * shade;
     }
-    return Incidence(direction, distance, light.size / nearest, irradiance);
+    return Incidence(direction, distance, half_sine, irradiance);
 }

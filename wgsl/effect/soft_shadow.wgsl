@@ -1,4 +1,4 @@
-// Soft shadows (RAU §6.2): the share of each light that the surface sees, 1 unshadowed, by a trace as wide as
+// Soft shadows (RAU §6.2): the share of each light's irradiance that arrives, 1 unshadowed, by a trace as wide as
 // the light or, interleaved, as a part of it. Layer k has lights 4k to 4k+3 in its channels; channels without a light repeat the first of
 // the layer.
 
@@ -21,19 +21,18 @@ struct Params {
 const LIGHTS_ALL = 0u;
 const LIGHTS_WIDE = 1u;
 
-fn traced_visibility(surface: Surface, light: Light, incidence: Incidence, params: Params) -> f32 {
+fn traced_visibility(surface: Surface, light: Light, incidence: Incidence) -> f32 {
     let slope = dot(surface.normal_geometric, incidence.direction);
     if (all(incidence.irradiance <= vec3f(0.0)) || slope <= 0.0) {
         return 0.0;
     }
-    let half_sine = incidence.tangent * inverseSqrt(1.0 + incidence.tangent * incidence.tangent);
     var reach = reach_of(incidence.distance / grid.voxel_size);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         // The observer may be behind a light of two sides.
         let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
         reach = reach_up_to(to_voxel(light.position), facing);
     }
-    let part = cone_lobe(incidence.direction, half_sine);
+    let part = cone_lobe(incidence.direction, incidence.sine);
     return 1.0 - trace_opacity(surface_apex(surface), part, reach, 0.0);
 }
 
@@ -42,8 +41,11 @@ fn light_visibility(surface: Surface, light: Light, params: Params) -> f32 {
         return 1.0;
     }
     let whole = light_incidence(light, surface.position, surface.normal);
-    let part = light_part(light, whole, params.parts, turn_of(surface.share), surface.position, surface.normal_geometric);
-    return traced_visibility(surface, light, part, params);
+    if (all(whole.irradiance <= vec3f(0.0))) {
+        return 0.0;
+    }
+    let part = light_part(light, whole, params.parts, turn_of(surface.share), surface.position, surface.normal);
+    return traced_visibility(surface, light, part);
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {

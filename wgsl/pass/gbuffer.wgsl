@@ -59,10 +59,13 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     let surface = roughness_metallic(material, v.uv, lod);
     var o: Targets;
     o.albedo = vec4f(color.rgb, surface.y);
-    // From behind, the surface is turned round with what its map shows.
-    o.normal = vec4f(shading_normal(material, v.uv, lod, interpolated, v.tangent) * facing, surface.x);
     // Derivatives give the plane; the camera's side gives the sign.
-    o.geometry = vec4f(flat * select(-1.0, 1.0, dot(flat, camera.eye - v.position) > 0.0), 1.0);
+    let towards = flat * select(-1.0, 1.0, dot(flat, camera.eye - v.position) > 0.0);
+    o.geometry = vec4f(towards, 1.0);
+    // From behind, the surface is turned round with what its map shows. The front is that of the triangle's winding, also where a
+    // file's normals point to the other side.
+    let shading = shading_normal(material, v.uv, lod, interpolated, v.tangent) * facing;
+    o.normal = vec4f(select(shading, -shading, dot(shading, towards) < 0.0), surface.x);
     // Only the front emits, unless both sides are shaded.
     o.emission = vec4f(in_half_range(emission(material, v.uv, lod)), 1.0);
     return o;

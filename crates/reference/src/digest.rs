@@ -6,7 +6,7 @@ use voxlume_scene::{Instance, Light, LightKind, Material, Mesh, Scene, Texture, 
 use crate::request::{Gather, Panel, PixelSampling, Quantity, Reflection, Request};
 
 /// Raised whenever the tracer's results change for the same scene and request.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The hash of a scene's content: names, cameras and what moves don't count, since they change no
 /// picture.

@@ -99,7 +99,7 @@ impl Tracer {
         let reflection = request.reflection;
         Sample::Value(match request.quantity {
             Quantity::PanelShadow(panel) => return self.panel_shadow(&surface, &panel, rng),
-            Quantity::SoftShadow { light } => Vec3::splat(self.shadow(&surface, light, rng)),
+            Quantity::SoftShadow { light } => return self.shadow(&surface, light, rng),
             Quantity::AmbientOcclusion { distance, falloff } => {
                 Vec3::splat(self.accessibility(&surface, distance, falloff, rng))
             }

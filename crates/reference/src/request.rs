@@ -87,17 +87,15 @@ pub struct Panel {
 /// are not themselves part of `L`: they light surfaces, but no gathered ray and no eye sees their disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
-    /// Mean visibility of a light's disc: `(1/Ω) ∫_Ω V(x, ω) dω` over the solid angle `Ω` that the
-    /// light subtends, in \[0,1\]. `V` is 0 for directions below the triangle's horizon. A light without
-    /// size is one direction. 0 outside a spot's cone, where it sends nothing; 1 within a light's sphere and where the camera
-    /// sees no surface.
+    /// The share of the irradiance that a light would give `x` if nothing were in between, in \[0,1\]:
+    /// `∫ V cosθ dω / ∫ cosθ dω` over the directions towards its disc, as far as they lie above `n`'s horizon. `V` is 0 below the
+    /// triangle's own horizon. A light without size is one direction. 0 where the light gives nothing anyway, such as outside a
+    /// spot's cone; 1 within a light's sphere and where the camera sees no surface.
     SoftShadow {
         /// Index in [`voxlume_scene::Scene::lights`].
         light: usize,
     },
-    /// As [`Quantity::SoftShadow`] for a surface that emits evenly: the share of the irradiance that it would give
-    /// `x` if nothing were in between, `∫ V cosθ dω / ∫ cosθ dω` over the directions towards it. 0 where it gives none
-    /// anyway, 1 where the camera sees no surface.
+    /// As [`Quantity::SoftShadow`] for a surface that emits evenly.
     PanelShadow(Panel),
     /// Accessibility: `1 − (1/π) ∫ f(d(ω)) cosθ dω`, in \[0,1\], where `d` is the distance to the first
     /// surface and `f(d) = 1/(1 + falloff·d)` below `distance`, else 0. Directions above `n`'s horizon

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use crate::render::Sample;
 use crate::rng::Rng;
 use crate::sampling::cosine_hemisphere;
 use crate::surface::Surface;
@@ -10,15 +11,19 @@ use crate::triangle::Ray;
 
 impl Tracer {
     /// One sample of [`crate::Quantity::SoftShadow`].
-    pub(crate) fn shadow(&self, surface: &Surface, light: usize, rng: &mut Rng) -> f32 {
+    pub(crate) fn shadow(&self, surface: &Surface, light: usize, rng: &mut Rng) -> Sample {
         let origin = surface.origin();
-        let Some(seen) = self.lamps[light].seen_from(origin) else { return 1.0 };
-        if seen.light == Vec3::ZERO {
-            return 0.0;
-        }
+        let Some(seen) = self.lamps[light].seen_from(origin) else {
+            return Sample::Share { weight: 1.0, so: true };
+        };
         let sample = seen.sample(rng);
+        let cosine = surface.frame.normal.dot(sample.direction);
+        if seen.light == Vec3::ZERO || cosine <= 0.0 {
+            return Sample::Share { weight: 0.0, so: false };
+        }
         let above = surface.geometric_normal.dot(sample.direction) > 0.0;
-        f32::from(above && self.unblocked(origin, sample.direction, sample.distance))
+        let so = above && self.unblocked(origin, sample.direction, sample.distance);
+        Sample::Share { weight: f64::from(cosine), so }
     }
 
     /// One sample of [`crate::Quantity::AmbientOcclusion`].
