@@ -1,6 +1,7 @@
 // Lights, and the irradiance they would give without anything in between.
 
 import package::common::constants::PI;
+import package::common::grid::grid;
 import package::common::polygon::polygon_irradiance;
 
 const LIGHT_DIRECTIONAL = 0u;
@@ -91,6 +92,9 @@ fn disc_cosine(cosine: f32, half_sine: f32) -> f32 {
     return max((cosine * acos(y) - x * edge + atan2(edge, x) / sine2) / PI, 0.0);
 }
 
+// Far more than places are rounded by, voxels.
+const COPLANAR = 0.01;
+
 fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
     if (HAS_DIRECTIONAL && light.kind == LIGHT_DIRECTIONAL) {
         let half_sine = sine_of(light.size);
@@ -99,7 +103,12 @@ fn light_incidence(light: Light, position: vec3f, normal: vec3f) -> Incidence {
     }
     if (HAS_AREA && light.kind == LIGHT_AREA) {
         let corners = area_corners(light);
-        return area_part(corners, light, position, light.intensity * polygon_irradiance(corners, position, normal));
+        var irradiance = polygon_irradiance(corners, position, normal);
+        // Nothing arrives along the light's own plane; rounding would put an observer there on either side of it.
+        if (abs(dot(position - light.position, light.direction)) < COPLANAR * grid.voxel_size) {
+            irradiance = 0.0;
+        }
+        return area_part(corners, light, position, light.intensity * irradiance);
     }
     let offset = light.position - position;
     // Within its sphere a light is no brighter than at its surface.
