@@ -97,13 +97,14 @@ fn pipelines() {
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 11] = [
+const ALTERNATIVES: [(&str, &[&str]); 12] = [
     ("filter", &["filter/hardware", "filter/by_hand"]),
     ("tracer", &["tracer/cones", "tracer/rays"]),
     ("walk", &["walk/bricks", "walk/columns"]),
     ("level_walk", &["walk/bricks"]),
     ("seen", &["seen/pixel", "seen/reduced"]),
     ("meet", &["meet/sheets", "meet/cells"]),
+    ("lamps", &["lamps/none", "lamps/area"]),
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     (
         "effect",

@@ -1,8 +1,11 @@
-// Glossy reflection (RAU §6.5): the radiance that the lit scene and the sky send along the mirrored view,
+// Glossy reflection (RAU §6.5): the radiance that the lit scene, its area lights and the sky send along the mirrored view,
 // W·m⁻²·sr⁻¹, averaged over the surface's GGX lobe. Alpha is the mean opacity met.
 
+import package::common::environment::environment;
 import package::common::grid::longest_side;
-import package::common::surface::{Surface, surface_apex};
+import package::common::lamp::lamp_parts;
+import package::common::light::{HAS_AREA, LIGHT_AREA, lights};
+import package::common::surface::{Surface, image_texel, screen_pixel, surface_apex};
 import package::common::trace::{ggx_lobe, reach_of};
 import package::tracer::trace::trace_gather;
 
@@ -11,8 +14,22 @@ struct Params {
     distance: f32,
 }
 
+// How much of each light arrives: see effect/soft_shadow.wgsl.
+var shadow: texture_2d_array<f32>;
+override HAS_SHADOW: bool = false;
+
 fn effect(surface: Surface, params: Params) -> vec4f {
     let lobe = ggx_lobe(surface.normal, surface.view, surface.roughness);
     let found = trace_gather(surface_apex(surface), lobe, reach_of(params.distance * longest_side()));
-    return vec4f(found.radiance, found.opacity);
+    var radiance = found.radiance;
+    if (HAS_AREA && HAS_SHADOW) {
+        let texel = image_texel(screen_pixel(surface.pixel, surface.image_size), textureDimensions(shadow));
+        for (var i = 0u; i < environment.light_count; i++) {
+            let visibility = textureLoad(shadow, texel, i / 4, 0)[i % 4];
+            if (lights[i].kind == LIGHT_AREA && visibility > 0.0) {
+                radiance += visibility * lamp_parts(lights[i], lobe, surface.position, found.lamp_rays);
+            }
+        }
+    }
+    return vec4f(radiance, found.opacity);
 }

@@ -1,10 +1,10 @@
 // The whole image from its parts (RAU eq. 7.3): emission + direct light × shadow + diffuse + specular.
 
-import package::common::brdf::{brdf, lobe_reflectance};
+import package::common::brdf::{brdf, diffuse_brdf, lobe_reflectance};
 import package::common::constants::PI;
 import package::common::camera::camera;
 import package::common::environment::environment;
-import package::common::light::{lights, light_incidence};
+import package::common::light::{HAS_AREA, LIGHT_AREA, lights, light_incidence};
 import package::common::range::in_half_range;
 import package::common::reflectance::{DIELECTRIC_F0, diffuse_albedo};
 import package::common::surface::{Surface, image_texel, surface_load};
@@ -35,7 +35,12 @@ fn direct_light(surface: Surface, pixel: vec2u, open: f32) -> vec3f {
             visibility *= textureLoad(shadow, image_texel(pixel, textureDimensions(shadow)), i / 4, 0)[i % 4];
         }
         let incidence = light_incidence(light, surface.position, surface.normal);
-        sum += brdf(surface, incidence.direction) * incidence.irradiance * visibility;
+        var reflected = brdf(surface, incidence.direction);
+        if (HAS_AREA && HAS_SPECULAR && light.kind == LIGHT_AREA) {
+            // The specular image holds its mirror image.
+            reflected = diffuse_brdf(surface, incidence.direction);
+        }
+        sum += reflected * incidence.irradiance * visibility;
     }
     return sum;
 }

@@ -48,7 +48,7 @@ impl<'p> Effect<'p> {
         scene: &Scene,
         bounces: u32,
     ) -> Result<Option<Quantity>, Fault> {
-        // Area lights reach pixels directly; other emission is gathered from voxels.
+        // Area lights reach pixels directly, but mirrors show them; other emission is gathered from voxels.
         let gather = Gather { bounces, sky: true, emission: !plan.area_lights };
         let Some(reference) = self.reference else { return Ok(None) };
         Ok(Some(match reference {
@@ -72,7 +72,7 @@ impl<'p> Effect<'p> {
                 }
             }
             Reference::Diffuse => Quantity::Diffuse(gather),
-            Reference::Specular => Quantity::Specular(gather),
+            Reference::Specular => Quantity::Specular(Gather { emission: true, ..gather }),
             Reference::Final => Quantity::Final { bounces },
         }))
     }

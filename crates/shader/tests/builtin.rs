@@ -12,7 +12,7 @@ fn every_builtin_module_is_valid() {
         let paths = library.paths().filter(|path| path.split('/').next() == Some(folder));
         paths.map(|path| path.split('/').take(depth).collect::<Vec<_>>().join("/")).collect::<BTreeSet<_>>()
     };
-    let mounts = ["format", "encoding", "filter", "tracer", "walk", "meet", "seen", "effect", "visitor"]
+    let mounts = ["format", "encoding", "filter", "tracer", "walk", "meet", "lamps", "seen", "effect", "visitor"]
         .map(|name| (name, in_folder(name, 2)));
     assert!(mounts.iter().all(|(_, folders)| !folders.is_empty()));
     let targets =

@@ -4,7 +4,8 @@
 import package::common::environment::environment;
 import package::common::radiance::unpack_radiance;
 import package::common::ray::{Ray, RayHit, Tangent, arrive, leave};
-import package::common::trace::{Apex, Gathered, Lobe, Reach, vector_of};
+import package::common::trace::{Apex, Gathered, LOBE_GGX, Lobe, Reach, vector_of};
+import package::lamps::{MEETS_LAMPS, lamps_along};
 import package::tracer::lobe::{lobe_direction, trace_params};
 import package::walk::first_hit;
 
@@ -38,11 +39,16 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
             arriving = vec4f(select(vec3f(0.0), unpack_radiance(side_radiance[hit.side]), hit.shown), 1.0);
             distance = min(distance, hit.distance);
         }
+        if (MEETS_LAMPS && lobe.shape == LOBE_GGX) {
+            let met = select(1e30, hit.distance, hit.found);
+            arriving += vec4f(lamps_along(lobe, origin.point, direction, met, trace_params.rays), 0.0);
+        }
         sum += arriving;
         vector += vector_of(lobe, direction, arriving.rgb);
     }
     let mean = sum / f32(trace_params.rays);
-    return Gathered(mean.rgb, mean.a, distance, vector / f32(trace_params.rays));
+    let lamp_rays = select(0u, trace_params.rays, MEETS_LAMPS);
+    return Gathered(mean.rgb, mean.a, distance, vector / f32(trace_params.rays), lamp_rays);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

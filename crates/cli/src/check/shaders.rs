@@ -25,8 +25,8 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     let encodings: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.module).collect();
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
-        let [effects, visitors, filters, walks, meets, seen] =
-            ["effect/", "visitor/", "filter/", "walk/", "meet/", "seen/"].map(folder);
+        let [effects, visitors, filters, walks, meets, lamps, seen] =
+            ["effect/", "visitor/", "filter/", "walk/", "meet/", "lamps/", "seen/"].map(folder);
         let alternatives = [
             ("format", &formats[..]),
             ("encoding", &encodings),
@@ -36,6 +36,7 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
             // Columns have no levels.
             ("level_walk", &["walk/bricks"]),
             ("meet", &meets),
+            ("lamps", &lamps),
             ("seen", &seen),
             ("effect", &effects),
             ("visitor", &visitors),

@@ -31,6 +31,11 @@ impl<'c, 'a> Expansion<'c, 'a> {
         self.context.light_count()
     }
 
+    /// Whether emissive polygons are lights of their own.
+    pub fn area_lights(&self) -> bool {
+        self.context.area_lights
+    }
+
     /// Whether voxels hold emission.
     pub fn voxel_emission(&self) -> bool {
         self.context.voxel_emission()

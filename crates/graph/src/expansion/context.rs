@@ -165,6 +165,7 @@ impl<'a> Context<'a> {
             ("seen", "seen/pixel"),
             ("walk", "walk/bricks"),
             ("meet", "meet/sheets"),
+            ("lamps", "lamps/none"),
         ];
         let usual = usual.map(|(name, module)| (name, module.to_owned()));
         self.default_storage.mounts().into_iter().chain(usual).collect()

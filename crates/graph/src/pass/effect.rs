@@ -52,10 +52,12 @@ impl PassKind for Effect {
         };
         let mut from = place(pass, scale, means.len());
         let guide = pass.variable(&guide_name(scale));
+        let lamps = pass.area_lights();
         let gather = pass
             .run("pass/effect")
             .mount("effect", &module)
             .mount("texel", texel_module(texel))
+            .mount("lamps", if lamps { "lamps/area" } else { "lamps/none" })
             .writes("image", Target::Resource(from))
             .with("INTERLEAVE", entry.interleave)
             .with("LEANS", leans);
