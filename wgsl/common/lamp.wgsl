@@ -2,7 +2,7 @@
 // Carlo Methods for Light Transport Simulation", 1997, eq. 9.8): rays of the lobe that meet a light, for sharp lobes, and the parts of
 // a light as the lobe weighs them, for wide ones.
 
-import package::common::brdf::mirror_density;
+import package::common::brdf::{mirror_density, share_above};
 import package::common::light::{Light, area_part};
 import package::common::light_part::light_piece;
 import package::common::trace::Lobe;
@@ -26,5 +26,6 @@ fn lamp_parts(light: Light, lobe: Lobe, position: vec3f, rays: u32) -> vec3f {
             sum += part.irradiance.x * density / (parts_density(light, part.direction, part.distance) + f32(rays) * density);
         }
     }
-    return light.intensity * sum;
+    // The lobe's mean is over what of it is above the surface.
+    return light.intensity * (sum / max(share_above(saturate(dot(lobe.axis, lobe.view)), lobe.width), 0.1));
 }

@@ -12,17 +12,19 @@ import package::walk::first_hit;
 // What every side of a voxel sends: see common/side.wgsl.
 var<storage, read> side_radiance: array<u32>;
 
-// What a ray of a trace meets. What lies below the surface is looked for above it, as in a mirror.
-fn shoot(apex: Apex, lobe: Lobe, reach: Reach, origin: Tangent, index: u32, direction: ptr<function, vec3f>) -> RayHit {
-    let wanted = lobe_direction(lobe, index, apex.share);
-    let below = min(dot(wanted, apex.normal), 0.0);
-    *direction = wanted - 2.0 * below * apex.normal;
+// What lies below the surface is looked for above it, as in a mirror.
+fn above(direction: vec3f, normal: vec3f) -> vec3f {
+    return direction - 2.0 * min(dot(direction, normal), 0.0) * normal;
+}
+
+// What a ray of a trace meets.
+fn shoot(reach: Reach, origin: Tangent, direction: vec3f) -> RayHit {
     let goal = Tangent(reach.point, reach.normal);
     var distance = reach.distance;
     if (any(goal.normal != vec3f(0.0))) {
-        distance = arrive(*direction, origin.point, goal);
+        distance = arrive(direction, origin.point, goal);
     }
-    return first_hit(Ray(origin.point, *direction, distance, origin, goal));
+    return first_hit(Ray(origin.point, direction, distance, origin, goal));
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
@@ -30,9 +32,16 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
     var sum = vec4f(0.0);
     var vector = vec3f(0.0);
     var distance = reach.distance;
+    var count = 0.0;
     for (var i = 0u; i < trace_params.rays; i++) {
-        var direction: vec3f;
-        let hit = shoot(apex, lobe, reach, origin, i, &direction);
+        let wanted = lobe_direction(lobe, i, apex.share);
+        let below = dot(wanted, apex.normal) <= 0.0;
+        // Of mirror directions only those above the surface count, unless there is none.
+        if (lobe.shape == LOBE_GGX && below && (count > 0.0 || i + 1 < trace_params.rays)) {
+            continue;
+        }
+        let direction = above(wanted, apex.normal);
+        let hit = shoot(reach, origin, direction);
         var arriving = vec4f(environment.sky, 0.0);
         if (hit.found) {
             // The back of a surface of one side is dark.
@@ -45,18 +54,18 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
         }
         sum += arriving;
         vector += vector_of(lobe, direction, arriving.rgb);
+        count += 1.0;
     }
-    let mean = sum / f32(trace_params.rays);
+    let mean = sum / count;
     let lamp_rays = select(0u, trace_params.rays, MEETS_LAMPS);
-    return Gathered(mean.rgb, mean.a, distance, vector / f32(trace_params.rays), lamp_rays);
+    return Gathered(mean.rgb, mean.a, distance, vector / count, lamp_rays);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
     let origin = leave(apex);
     var sum = 0.0;
     for (var i = 0u; i < trace_params.rays; i++) {
-        var direction: vec3f;
-        let hit = shoot(apex, lobe, reach, origin, i, &direction);
+        let hit = shoot(reach, origin, above(lobe_direction(lobe, i, apex.share), apex.normal));
         sum += select(0.0, 1.0 / (1.0 + falloff * hit.distance), hit.found);
     }
     return sum / f32(trace_params.rays);
