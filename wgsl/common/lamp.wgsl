@@ -1,6 +1,7 @@
-// Area lights in a glossy lobe. Two ways share the work, each where it is the better (the balance heuristic: Veach, "Robust Monte
-// Carlo Methods for Light Transport Simulation", 1997, eq. 9.8): rays of the lobe that meet a light, for sharp lobes, and the parts of
-// a light as the lobe weighs them, for wide ones.
+// Area lights in a glossy lobe. Two sums find them, and share the work: rays of the lobe that meet a light, for sharp lobes, and the
+// parts of a light as the lobe weighs them, for wide ones. The shares are one for all directions (Veach's power heuristic, "Robust
+// Monte Carlo Methods for Light Transport Simulation", 1997, eq. 9.12, at the lobe's peak and the light's middle): both sums have
+// fixed directions, so that each stands for the whole lobe.
 
 import package::common::brdf::{mirror_density, share_above};
 import package::common::light::{Light, area_part};
@@ -10,22 +11,29 @@ import package::common::trace::Lobe;
 // Parts of a light along each of its sides.
 const LAMP_SIDES = 4u;
 
-// Parts for each unit of solid angle, where a light is seen at a distance along a unit direction.
-fn parts_density(light: Light, direction: vec3f, distance: f32) -> f32 {
-    let facing = max(abs(dot(direction, light.direction)), 1e-6);
-    return f32(LAMP_SIDES * LAMP_SIDES) * distance * distance / (max(light.area, 1e-30) * facing);
+// The share of the rays' sum, of so many rays, as seen from a point; the rest is the parts'.
+fn rays_share(light: Light, lobe: Lobe, position: vec3f, rays: u32) -> f32 {
+    let offset = light.position - position;
+    let distance2 = max(dot(offset, offset), 1e-30);
+    let facing = max(abs(dot(offset, light.direction)) * inverseSqrt(distance2), 1e-3);
+    let of_parts = f32(LAMP_SIDES * LAMP_SIDES) * distance2 / (max(light.area, 1e-30) * facing);
+    let of_rays = f32(rays) * mirror_density(lobe.axis, lobe.view, reflect(-lobe.view, lobe.axis), lobe.width);
+    let ratio = of_parts / max(of_rays, 1e-20);
+    return select(1.0 / (1.0 + ratio * ratio), 0.0, rays == 0);
 }
 
-// Radiance of a light's parts, weighed by a lobe of which `rays` rays, or none, look for the light as well.
+// The parts' share of the radiance that a light sends into a lobe.
 fn lamp_parts(light: Light, lobe: Lobe, position: vec3f, rays: u32) -> vec3f {
     var sum = 0.0;
     for (var i = 0u; i < LAMP_SIDES * LAMP_SIDES; i++) {
         let part = area_part(light_piece(light, i, LAMP_SIDES), light, position, vec3f(1.0));
         if (dot(part.direction, lobe.axis) > 0.0) {
             let density = mirror_density(lobe.axis, lobe.view, part.direction, lobe.width);
-            sum += part.irradiance.x * density / (parts_density(light, part.direction, part.distance) + f32(rays) * density);
+            let facing = abs(dot(part.direction, light.direction));
+            sum += part.irradiance.x * density * facing * light.area / (f32(LAMP_SIDES * LAMP_SIDES) * part.distance * part.distance);
         }
     }
     // The lobe's mean is over what of it is above the surface.
-    return light.intensity * (sum / max(share_above(saturate(dot(lobe.axis, lobe.view)), lobe.width), 0.1));
+    let share = (1.0 - rays_share(light, lobe, position, rays)) / max(share_above(saturate(dot(lobe.axis, lobe.view)), lobe.width), 0.1);
+    return light.intensity * (sum * share);
 }

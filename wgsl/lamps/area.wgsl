@@ -1,9 +1,8 @@
 // Rays of a glossy lobe meet area lights themselves (see common/lamp.wgsl): a light's mirror image has its shape, not its voxels'.
 
-import package::common::brdf::mirror_density;
 import package::common::environment::environment;
 import package::common::grid::{from_voxel, grid};
-import package::common::lamp::parts_density;
+import package::common::lamp::rays_share;
 import package::common::light::{Light, LIGHT_AREA, area_corners, lights};
 import package::common::trace::Lobe;
 
@@ -31,7 +30,6 @@ fn lamp_distance(light: Light, origin: vec3f, direction: vec3f) -> f32 {
 fn lamps_along(lobe: Lobe, origin_voxel: vec3f, direction: vec3f, met: f32, rays: u32) -> vec3f {
     let origin = from_voxel(origin_voxel);
     let blocker = origin + met * grid.voxel_size * direction;
-    let density = f32(rays) * mirror_density(lobe.axis, lobe.view, direction, lobe.width);
     var sum = vec3f(0.0);
     for (var i = 0u; i < environment.light_count; i++) {
         let light = lights[i];
@@ -39,7 +37,7 @@ fn lamps_along(lobe: Lobe, origin_voxel: vec3f, direction: vec3f, met: f32, rays
             let distance = lamp_distance(light, origin, direction);
             let own = abs(dot(blocker - light.position, light.direction)) < grid.voxel_size;
             if (distance > 0.0 && (own || distance < met * grid.voxel_size)) {
-                sum += light.intensity * (density / (density + parts_density(light, direction, distance)));
+                sum += light.intensity * rays_share(light, lobe, origin, rays);
             }
         }
     }
