@@ -1,7 +1,7 @@
 // Area lights in a glossy lobe. Two sums find them, and share the work: rays of the lobe that meet a light, for sharp lobes, and the
-// parts of a light as the lobe weighs them, for wide ones. The shares are one for all directions (Veach's power heuristic, "Robust
-// Monte Carlo Methods for Light Transport Simulation", 1997, eq. 9.12, at the lobe's peak and the light's middle): both sums have
-// fixed directions, so that each stands for the whole lobe.
+// parts of a light as the lobe weighs them, for wide ones. Their shares are by the power heuristic (Veach, "Robust Monte Carlo Methods
+// for Light Transport Simulation", 1997, eq. 9.12), but one for all directions, at the lobe's peak and the light's middle: both sums
+// have fixed directions, so that each stands for the whole lobe.
 
 import package::common::brdf::{mirror_density, share_above};
 import package::common::light::{Light, area_part};
@@ -11,14 +11,15 @@ import package::common::trace::Lobe;
 // Parts of a light along each of its sides.
 const LAMP_SIDES = 4u;
 
-// The share of the rays' sum, of so many rays, as seen from a point; the rest is the parts'.
+// The share of the rays' sum, as seen from a point, if there are rays; the rest is the parts'. They are even where the lobe's peak is
+// as wide as a part.
 fn rays_share(light: Light, lobe: Lobe, position: vec3f, rays: u32) -> f32 {
     let offset = light.position - position;
     let distance2 = max(dot(offset, offset), 1e-30);
     let facing = max(abs(dot(offset, light.direction)) * inverseSqrt(distance2), 1e-3);
     let of_parts = f32(LAMP_SIDES * LAMP_SIDES) * distance2 / (max(light.area, 1e-30) * facing);
-    let of_rays = f32(rays) * mirror_density(lobe.axis, lobe.view, reflect(-lobe.view, lobe.axis), lobe.width);
-    let ratio = of_parts / max(of_rays, 1e-20);
+    let peak = mirror_density(lobe.axis, lobe.view, reflect(-lobe.view, lobe.axis), lobe.width);
+    let ratio = of_parts / max(peak, 1e-20);
     return select(1.0 / (1.0 + ratio * ratio), 0.0, rays == 0);
 }
 

@@ -12,10 +12,14 @@ struct TraceParams {
 
 var<uniform> trace_params: TraceParams;
 
-// Of Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018): multiples of the powers of one over
-// the plastic number, modulo 1.
-fn sequence(index: u32) -> vec2f {
-    return fract(0.5 + f32(index) * vec2f(0.75487767, 0.56984029));
+// The golden ratio, less 1: its multiples modulo 1 are spread evenly however many they are.
+const GOLDEN = 0.618033989;
+
+// Point number `index` of a set's in the unit square. Along x a set has one point in each of as many strata, and all sets together
+// have them evenly; along y both follow the golden ratio.
+fn sequence(index: u32, share: Share) -> vec2f {
+    let across = (f32(share.index) + 0.5) / f32(share.count);
+    return vec2f((f32(index) + across) / f32(trace_params.rays), fract(f32(index + share.index) * GOLDEN));
 }
 
 // Cosine-weighted about +z: the disc below it, evenly (Malley).
@@ -46,7 +50,7 @@ fn visible_normal(u: vec2f, view: vec3f, alpha: f32) -> vec3f {
 
 // Direction number `index` of a set's, unit.
 fn lobe_direction(lobe: Lobe, index: u32, share: Share) -> vec3f {
-    let u = sequence(share.index * trace_params.rays + index);
+    let u = sequence(index, share);
     let basis = basis_around(lobe.axis);
     if (lobe.shape == LOBE_CONE) {
         return basis * cone_direction(u, lobe.width);
