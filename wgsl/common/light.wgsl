@@ -22,7 +22,8 @@ struct Light {
     direction: vec3f,
     // First layer in `shadow_maps`; negative: none.
     shadow_layer: i32,
-    // Spot: glTF's angular falloff is saturate(cos·x + y)².
+    // Spot: glTF's angular falloff is saturate(cos·x + y)². Of many emissive polygons: the power of all up to this and its own, as
+    // shares of all power.
     falloff: vec2f,
     area: f32,
     padding: f32,

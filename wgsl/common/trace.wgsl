@@ -93,6 +93,6 @@ struct Gathered {
     // Of `LOBE_HEMISPHERE`: the mean of luminance · direction / cosine. Times the lobe's normal it is the mean luminance; times
     // another normal nearby, about what arrives there (the irradiance's vector).
     vector: vec3f,
-    // How many rays of `LOBE_GGX` looked for area lights, which `radiance` then holds by their share (see common/lamp.wgsl).
-    lamp_rays: u32,
+    // Whether rays of `LOBE_GGX` looked for area lights, which `radiance` then holds by their share (see common/lamp.wgsl).
+    met_lamps: bool,
 }

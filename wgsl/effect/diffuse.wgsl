@@ -6,15 +6,18 @@ import package::common::grid::longest_side;
 import package::common::leaning::leaning;
 import package::common::surface::{Surface, surface_apex};
 import package::common::trace::{hemisphere_lobe, reach_of};
+import package::emitters::emitters_irradiance;
 import package::tracer::trace::trace_gather;
 
 struct Params {
     /// Farthest surface that sends light, as a share of the grid's longest side; beyond it is the sky; 1000 unless given.
     distance: f32,
+    /// Rays to emissive polygons, where there are many, [1, 64]; 2 unless given.
+    lamps: u32,
 }
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let found = trace_gather(surface_apex(surface), hemisphere_lobe(surface.normal), reach_of(params.distance * longest_side()));
     leaning = found.vector;
-    return vec4f(PI * found.radiance, found.opacity);
+    return vec4f(PI * found.radiance + emitters_irradiance(surface_apex(surface), surface.normal, params.lamps), found.opacity);
 }

@@ -27,7 +27,7 @@ fn effect(surface: Surface, params: Params) -> vec4f {
         for (var i = 0u; i < environment.light_count; i++) {
             let visibility = textureLoad(shadow, texel, i / 4, 0)[i % 4];
             if (lights[i].kind == LIGHT_AREA && visibility > 0.0) {
-                radiance += visibility * lamp_parts(lights[i], lobe, surface.position, found.lamp_rays);
+                radiance += visibility * lamp_parts(lights[i], lobe, surface.position, found.met_lamps);
             }
         }
     }

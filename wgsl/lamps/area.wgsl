@@ -4,6 +4,7 @@ import package::common::environment::environment;
 import package::common::grid::{from_voxel, grid};
 import package::common::lamp::rays_share;
 import package::common::light::{Light, LIGHT_AREA, area_corners, lights};
+import package::common::ray::RayHit;
 import package::common::trace::Lobe;
 
 const MEETS_LAMPS = true;
@@ -25,10 +26,11 @@ fn lamp_distance(light: Light, origin: vec3f, direction: vec3f) -> f32 {
     return select(-1.0, distance, inside);
 }
 
-// Radiance that a ray brings from the area lights that it meets, one of `rays` of a lobe. What it met among the voxels, at
-// `met` voxels along it, hides lights behind it, but a light is met in its own voxels.
-fn lamps_along(lobe: Lobe, origin_voxel: vec3f, direction: vec3f, met: f32, rays: u32) -> vec3f {
+// Radiance that a ray of a lobe brings from the area lights that it meets. What it hit among the voxels hides lights behind it, but a
+// light is met in its own voxels.
+fn lamps_along(lobe: Lobe, origin_voxel: vec3f, direction: vec3f, hit: RayHit) -> vec3f {
     let origin = from_voxel(origin_voxel);
+    let met = select(1e30, hit.distance, hit.found);
     let blocker = origin + met * grid.voxel_size * direction;
     var sum = vec3f(0.0);
     for (var i = 0u; i < environment.light_count; i++) {
@@ -37,7 +39,7 @@ fn lamps_along(lobe: Lobe, origin_voxel: vec3f, direction: vec3f, met: f32, rays
             let distance = lamp_distance(light, origin, direction);
             let own = abs(dot(blocker - light.position, light.direction)) < grid.voxel_size;
             if (distance > 0.0 && (own || distance < met * grid.voxel_size)) {
-                sum += light.intensity * rays_share(light, lobe, origin, rays);
+                sum += light.intensity * rays_share(light, lobe, origin);
             }
         }
     }

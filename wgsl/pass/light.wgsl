@@ -14,6 +14,7 @@ import package::common::trace::{Apex, turn_of};
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
 import package::common::share::share_at;
+import package::emitters::{SAMPLED, emitters_irradiance};
 import package::walk::first_hit;
 
 struct Params {
@@ -21,6 +22,8 @@ struct Params {
     bias: f32,
     /// Parts of a light along each of its sides, [1, 4]: neighbouring voxels send their rays to different ones.
     parts: u32,
+    /// Rays of a voxel's side to emissive polygons, where there are many, [1, 64]; 2 unless given.
+    lamps: u32,
 }
 
 var<uniform> params: Params;
@@ -61,7 +64,7 @@ fn irradiance(apex: Apex) -> vec3f {
         let part = light_part(light, whole, params.parts, turn_of(apex.share), position, apex.normal);
         sum += whole.irradiance * visibility(light, part, apex);
     }
-    return sum;
+    return sum + emitters_irradiance(apex, apex.normal, params.lamps);
 }
 
 @compute @workgroup_size(64)
@@ -72,10 +75,12 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let surface = voxel_surface(slot);
+    // What gathers get from polygons they don't get from voxels.
+    let emission = select(surface.emission, vec3f(0.0), SAMPLED);
     let share = share_at(cell.xy ^ cell.zz, 8);
     var at = 0u;
     var side: Side;
     while (next_side(cell, slot, surface, share, &at, &side)) {
-        direct[side.index] = pack_radiance(surface.emission + surface.albedo / PI * irradiance(side.apex));
+        direct[side.index] = pack_radiance(emission + surface.albedo / PI * irradiance(side.apex));
     }
 }

@@ -11,6 +11,20 @@ use crate::live::CONDITIONS;
 /// Most emissive polygons that count as area lights of their own; beyond, emission is gathered from voxels.
 pub const AREA_LIGHT_LIMIT: usize = 16;
 
+/// Most emissive polygons, pieces of textured ones among them, of which places ask a few; beyond, emission is gathered from voxels.
+pub const EMITTER_LIMIT: usize = 1 << 16;
+
+/// How what surfaces emit reaches others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Emission {
+    /// Each of a few polygons is a light of its own.
+    AreaLights,
+    /// Each place asks a few of many polygons.
+    Sampled,
+    /// From voxels, if anything emits.
+    Gathered,
+}
+
 /// What a scene needs, so that a plan models only that.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneFacts {
@@ -32,6 +46,8 @@ pub struct SceneFacts {
     pub spot: u32,
     /// Planar emissive polygons; `None` where emission is not a few plain polygons.
     pub polygons: Option<u32>,
+    /// Emissive polygons or pieces of such; `None` where there are too many.
+    pub emitters: Option<u32>,
     /// The largest component of any material's emission, W·m⁻²·sr⁻¹.
     pub emission_max: f32,
     /// Whether any material emits.
@@ -91,6 +107,8 @@ impl SceneFacts {
         let emissive = used.iter().any(|material| material.emission.max_element() > 0.0);
         let polygons =
             scene.emissive_polygons(DVec3::ZERO, AREA_LIGHT_LIMIT).map(|polygons| polygons.len() as u32);
+        let pieces = || scene.emissive_pieces(DVec3::ZERO, EMITTER_LIMIT).map(|pieces| pieces.len() as u32);
+        let emitters = polygons.or_else(pieces);
         Ok(SceneFacts {
             bounds: scene.reach(),
             triangles: meshes().map(|mesh| mesh.triangles.len() as u32).sum(),
@@ -105,6 +123,7 @@ impl SceneFacts {
             point: count(|kind| matches!(kind, LightKind::Point { .. })),
             spot: count(|kind| matches!(kind, LightKind::Spot { .. })),
             polygons,
+            emitters,
             emission_max: scene.materials.iter().map(|m| m.emission.max_element()).fold(0.0, f32::max),
             emissive,
             textured: used.iter().any(|material| {
@@ -160,9 +179,9 @@ impl SceneFacts {
         self.directional + self.point + self.spot
     }
 
-    /// Whether the scene has what the word after `when` asks for. With `area_lights`, emissive polygons are lights.
-    pub fn meets(&self, condition: &str, area_lights: bool) -> bool {
+    /// Whether the scene has what the word after `when` asks for.
+    pub fn meets(&self, condition: &str, emission: Emission) -> bool {
         let known = CONDITIONS.iter().find(|(word, ..)| *word == condition);
-        known.is_none_or(|(_, _, holds)| holds(self, area_lights))
+        known.is_none_or(|(_, _, holds)| holds(self, emission))
     }
 }

@@ -31,7 +31,7 @@ pub use builtin::PIPELINES;
 pub use bundle::Bundle;
 pub use expansion::{Expansion, Over, Run, screen_image};
 pub use explain::explain;
-pub use facts::{AREA_LIGHT_LIMIT, SceneFacts};
+pub use facts::{AREA_LIGHT_LIMIT, EMITTER_LIMIT, Emission, SceneFacts};
 pub use flow::Touch;
 pub use grid::{Extent, Grid, fixed_point_scale};
 pub use pass::{DEFAULT_METHOD, Idle, Kinds, ParamWords, PassKind, Port, Sort, Unread, Values};

@@ -5,29 +5,30 @@ use std::collections::BTreeSet;
 use crate::entries::{is_image, makes};
 use crate::expansion::Context;
 use crate::expansion::context::read_of;
-use crate::facts::SceneFacts;
+use crate::facts::{Emission, SceneFacts};
 use crate::order::Makers;
 use crate::pass::Kinds;
 use crate::pipeline::{PassEntry, Pipeline};
 use crate::plan::LeftOut;
+use crate::tracer::Tracers;
 
 /// A condition for `when`: its word, why it doesn't hold, and whether it does.
-type Condition = (&'static str, &'static str, fn(&SceneFacts, bool) -> bool);
+type Condition = (&'static str, &'static str, fn(&SceneFacts, Emission) -> bool);
 
-/// Conditions for `when`; each is asked with whether emissive polygons are lights of their own.
+/// Conditions for `when`; each is asked with how emission reaches others.
 pub(crate) const CONDITIONS: [Condition; 5] = [
-    ("lights", "the scene has no light", |facts, area_lights| {
-        facts.punctual() > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0)
+    ("lights", "the scene has no light", |facts, emission| {
+        facts.punctual() > 0 || (emission == Emission::AreaLights && facts.polygons.unwrap_or(0) > 0)
     }),
-    ("wide_lights", "every light's shadow map says how soft its shadows are", |facts, area_lights| {
-        facts.wide > 0 || (area_lights && facts.polygons.unwrap_or(0) > 0)
+    ("wide_lights", "every light's shadow map says how soft its shadows are", |facts, emission| {
+        facts.wide > 0 || (emission == Emission::AreaLights && facts.polygons.unwrap_or(0) > 0)
     }),
     ("glossy", "no material is glossy", |facts, _| facts.glossy),
     ("shadow_mapped_lights", "the scene has no directional, spot or point light", |facts, _| {
         facts.punctual() > 0
     }),
-    ("gathered_light", "no sky, and no emission but that of area lights", |facts, area_lights| {
-        facts.sky || (facts.emissive && !area_lights)
+    ("gathered_light", "no sky, and no emission but that of lights", |facts, emission| {
+        facts.sky || (facts.emissive && emission == Emission::Gathered)
     }),
 ];
 
@@ -35,7 +36,7 @@ pub(crate) const CONDITIONS: [Condition; 5] = [
 fn idle(entry: &PassEntry, context: &Context<'_>) -> Option<String> {
     let condition =
         entry.when.as_ref().and_then(|when| CONDITIONS.iter().find(|(word, ..)| *word == when.value));
-    let unmet = condition.filter(|(_, _, holds)| !holds(context.facts, context.area_lights));
+    let unmet = condition.filter(|(_, _, holds)| !holds(context.facts, context.emission));
     let idle = || context.kinds.idle(entry).map(|idle| idle.why);
     unmet.map(|(_, why, _)| *why).or_else(idle).map(str::to_owned)
 }
@@ -94,10 +95,23 @@ fn saved(entry: &PassEntry, context: &Context<'_>) -> u64 {
     entry.image.texel.bytes() * width * height * layers * entry.writes.len() as u64
 }
 
-/// Whether no entry asks that emissive polygons are gathered like all emission; then a few of them are lights.
-pub(crate) fn uses_area_lights(pipeline: &Pipeline, facts: &SceneFacts, kinds: &Kinds) -> bool {
+/// How emission reaches others: by polygons, unless an entry asks that all is gathered; many are asked only with tracers that walk
+/// voxels, as what others sample holds emission.
+pub(crate) fn emission_of(
+    pipeline: &Pipeline,
+    facts: &SceneFacts,
+    kinds: &Kinds,
+    tracers: &Tracers,
+) -> Emission {
     let gathers = pipeline.passes.iter().any(|entry| kinds.of(entry).gathers_all_emission(entry));
-    facts.emissive && facts.polygons.is_some() && !gathers
+    let traces = pipeline.passes.iter().filter(|entry| kinds.of(entry).traces());
+    let walk = || traces.clone().all(|entry| tracers.of(pipeline, entry).walks());
+    match facts {
+        _ if gathers || !facts.emissive => Emission::Gathered,
+        SceneFacts { polygons: Some(_), .. } => Emission::AreaLights,
+        SceneFacts { emitters: Some(_), .. } if walk() => Emission::Sampled,
+        _ => Emission::Gathered,
+    }
 }
 
 /// Branches of shaders that the scene doesn't need.
@@ -111,7 +125,11 @@ pub(crate) fn explain_branches(context: &mut Context<'_>) {
         (facts.directional == 0, "directional lights' branch", "the scene has none"),
         (facts.point == 0, "point lights' branch", "the scene has none"),
         (facts.spot == 0, "spot lights' branch", "the scene has none"),
-        (!context.area_lights, "area lights' branch", "no emissive polygon is lit as one"),
+        (
+            context.emission != Emission::AreaLights,
+            "area lights' branch",
+            "no emissive polygon is lit as one",
+        ),
     ];
     let notes = notes.into_iter().filter(|(absent, ..)| *absent);
     context.left_out.extend(notes.map(|(_, what, why)| LeftOut {

@@ -13,7 +13,7 @@ use crate::facts::SceneFacts;
 use crate::flow::Flow;
 use crate::grid::Grid;
 use crate::limits;
-use crate::live::{explain_branches, live, uses_area_lights};
+use crate::live::{emission_of, explain_branches, live};
 use crate::order::{Makers, order};
 use crate::pass::{Kinds, Sort};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, SCALES, Value, scales};
@@ -109,7 +109,7 @@ pub fn plan(
         return Err(faults);
     };
 
-    let area_lights = uses_area_lights(pipeline, facts, kinds);
+    let emission = emission_of(pipeline, facts, kinds, tracers);
     let grid = Grid::new(pipeline.resolution.value, pipeline.extent, facts.bounds);
     let filters_float32 = request.filters_float32;
     let storage = Storage::new(format, choices, encoding, filters_float32);
@@ -126,7 +126,7 @@ pub fn plan(
         screen,
         filters_float32,
     };
-    let mut context = Context::new(given, storage, grid, area_lights);
+    let mut context = Context::new(given, storage, grid, emission);
     let live = live(pipeline, &makers, &mut context);
     context.check_tracers();
     if !context.faults.is_empty() {
@@ -162,7 +162,7 @@ pub fn plan(
         grid: grids.swap_remove(0),
         screen,
         triangles: facts.triangles,
-        area_lights,
+        emission,
         shaders,
         resources,
         passes,

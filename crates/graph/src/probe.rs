@@ -9,7 +9,7 @@ use voxlume_shader::Library;
 use crate::bundle::Bundle;
 use crate::expansion::context::Given;
 use crate::expansion::{Context, Expanded, Expansion, LEVEL_RUN_BYTES, Over, groups_for};
-use crate::facts::SceneFacts;
+use crate::facts::{Emission, SceneFacts};
 use crate::flow::Flow;
 use crate::grid::Grid;
 use crate::pass::{Kinds, PassKind, Port, Sort, attribute_stride, store_and_mipmap};
@@ -141,7 +141,7 @@ pub fn probe(
         screen: [1, 1],
         filters_float32,
     };
-    let mut context = Context::new(given, storage, grid, false);
+    let mut context = Context::new(given, storage, grid, Emission::Gathered);
     // Opacity as it comes.
     let stride = attribute_stride(context.voxel_emission(), true);
     let samples = u64::from(size.samples);
@@ -191,7 +191,7 @@ pub fn probe(
         grid: grids.swap_remove(0),
         screen: [1, 1],
         triangles: 0,
-        area_lights: false,
+        emission: Emission::Gathered,
         shaders,
         resources,
         passes,

@@ -1,6 +1,6 @@
 //! Images that are compared, and what the reference computes for each.
 
-use voxlume::{Fault, PassEntry, Pipeline, Plan, Reference, Scene, Shows, Value};
+use voxlume::{Emission, Fault, PassEntry, Pipeline, Plan, Reference, Scene, Shows, Value};
 use voxlume_reference::{Gather, Panel, Quantity};
 
 /// An image that is compared.
@@ -49,7 +49,7 @@ impl<'p> Effect<'p> {
         bounces: u32,
     ) -> Result<Option<Quantity>, Fault> {
         // Area lights reach pixels directly, but mirrors show them; other emission is gathered from voxels.
-        let gather = Gather { bounces, sky: true, emission: !plan.area_lights };
+        let gather = Gather { bounces, sky: true, emission: plan.emission != Emission::AreaLights };
         let Some(reference) = self.reference else { return Ok(None) };
         Ok(Some(match reference {
             Reference::SoftShadow => first_light(plan, scene)?,
@@ -91,7 +91,8 @@ fn first_light(plan: &Plan, scene: &Scene) -> Result<Quantity, Fault> {
         return Ok(Quantity::SoftShadow { light: 0 });
     }
     let origin = plan.grid.centre;
-    let polygons = scene.emissive_polygons(origin, MOST_POLYGONS).filter(|_| plan.area_lights);
+    let polygons =
+        scene.emissive_polygons(origin, MOST_POLYGONS).filter(|_| plan.emission == Emission::AreaLights);
     let polygon = polygons.and_then(|polygons| polygons.into_iter().next());
     let polygon = polygon.ok_or_else(|| Fault::new("the scene has no light to cast a shadow"))?;
     let corner = |index: usize| {

@@ -178,11 +178,11 @@ pub use voxlume_format::{
     SixFace, StorageFormat, Texel, Twin, Volume, twin,
 };
 pub use voxlume_graph::{
-    Bind, Bundle, CONES, DEFAULT_METHOD, Expansion, Extent, Grid, Groups, Idle, ImageExtent, ImageTexel,
-    Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry, PassKind,
-    Pipeline, Plan, Port, ProbeSize, Program, RAYS, Reference, Registry, Request, Resource, ResourceKind,
-    Run, SCALES, SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers, Unread, Update,
-    Value, Values, Vertices, check_variant, explain, plan, probe, screen_image,
+    Bind, Bundle, CONES, DEFAULT_METHOD, Emission, Expansion, Extent, Grid, Groups, Idle, ImageExtent,
+    ImageTexel, Kinds, LeftOut, Life, Over, PIPELINES, ParamBytes, ParamSlot, ParamWords, Pass, PassEntry,
+    PassKind, Pipeline, Plan, Port, ProbeSize, Program, RAYS, Reference, Registry, Request, Resource,
+    ResourceKind, Run, SCALES, SceneFacts, Shows, Sort, Sources, Step, Target, Touch, Tracer, Tracers,
+    Unread, Update, Value, Values, Vertices, check_variant, explain, plan, probe, screen_image,
 };
 pub use voxlume_scene as scene;
 pub use voxlume_scene::{Camera, Scene};

@@ -59,5 +59,5 @@ fn composite_cone(cone: Cone, falloff: f32, lit: bool) -> Gathered {
         t = s.next;
     }
     let whole = select(1.0, 1.0 / (1.0 - transmittance), transmittance <= CLOSED);
-    return Gathered(radiance * whole, opacity * whole, distance, vec3f(0.0), 0);
+    return Gathered(radiance * whole, opacity * whole, distance, vec3f(0.0), false);
 }

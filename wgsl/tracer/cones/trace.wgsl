@@ -58,7 +58,7 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
         vector += cone_weight(lobe, i) * vector_of(lobe, cone.direction, arriving);
         distance = min(distance, found.distance);
     }
-    return Gathered(sum.rgb, sum.a, distance, vector, 0);
+    return Gathered(sum.rgb, sum.a, distance, vector, false);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

@@ -2,7 +2,7 @@
 // evenly, and all of them together are.
 
 import package::common::basis::basis_around;
-import package::common::constants::TAU;
+import package::common::constants::{GOLDEN, TAU};
 import package::common::trace::{LOBE_CONE, LOBE_GGX, Lobe, Share};
 
 struct TraceParams {
@@ -11,9 +11,6 @@ struct TraceParams {
 }
 
 var<uniform> trace_params: TraceParams;
-
-// The golden ratio, less 1: its multiples modulo 1 are spread evenly however many they are.
-const GOLDEN = 0.618033989;
 
 // Point number `index` of a set's in the unit square. Along x a set has one point in each of as many strata, and all sets together
 // have them evenly; along y both follow the golden ratio.

@@ -49,16 +49,14 @@ fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
             distance = min(distance, hit.distance);
         }
         if (MEETS_LAMPS && lobe.shape == LOBE_GGX) {
-            let met = select(1e30, hit.distance, hit.found);
-            arriving += vec4f(lamps_along(lobe, origin.point, direction, met, trace_params.rays), 0.0);
+            arriving += vec4f(lamps_along(lobe, origin.point, direction, hit), 0.0);
         }
         sum += arriving;
         vector += vector_of(lobe, direction, arriving.rgb);
         count += 1.0;
     }
     let mean = sum / count;
-    let lamp_rays = select(0u, trace_params.rays, MEETS_LAMPS);
-    return Gathered(mean.rgb, mean.a, distance, vector / count, lamp_rays);
+    return Gathered(mean.rgb, mean.a, distance, vector / count, MEETS_LAMPS);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

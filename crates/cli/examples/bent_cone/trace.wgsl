@@ -82,7 +82,7 @@ fn bent_mean(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32, distance: ptr<f
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
     var distance: f32;
     let mean = bent_mean(apex, lobe, reach, 0.0, &distance);
-    return Gathered(mean.rgb, mean.a, distance, vector_of(lobe, lobe.axis, mean.rgb), 0);
+    return Gathered(mean.rgb, mean.a, distance, vector_of(lobe, lobe.axis, mean.rgb), false);
 }
 
 fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {

@@ -16,7 +16,7 @@ pub fn check(pipeline: &Pipeline, registry: &Registry) -> Faults {
         let mut planned =
             |request: &Request, facts: &SceneFacts| faults.gather(plan(pipeline, facts, registry, request));
         // What a plan lacks, as nobody reads it, is planned for its own sake.
-        if let Some(whole) = planned(&request, &rich(Some(2))) {
+        if let Some(whole) = planned(&request, &rich(Some(2), Some(2))) {
             let absent = pipeline
                 .passes
                 .iter()
@@ -24,10 +24,14 @@ pub fn check(pipeline: &Pipeline, registry: &Registry) -> Faults {
             let images = registry.kinds.images(pipeline);
             let writes = absent.flat_map(|pass| &pass.writes);
             for image in writes.filter(|name| images.contains(&name.value.as_str())) {
-                planned(&Request { output: Some(image.value.clone()), ..request.clone() }, &rich(Some(2)));
+                planned(
+                    &Request { output: Some(image.value.clone()), ..request.clone() },
+                    &rich(Some(2), Some(2)),
+                );
             }
         }
-        planned(&request, &rich(None));
+        planned(&request, &rich(None, Some(200)));
+        planned(&request, &rich(None, None));
     }
     faults
 }
@@ -38,8 +42,8 @@ fn used(pipeline: &Pipeline, kinds: &Kinds) -> Vec<(String, String, Value)> {
     idle.map(|(pass, (param, value))| (pass.name.clone(), param.to_owned(), Value::Number(value))).collect()
 }
 
-/// A scene with every feature. Its emission is so many polygons, or has to be gathered from voxels.
-fn rich(polygons: Option<u32>) -> SceneFacts {
+/// A scene with every feature. Its emission is so few polygons, or so many, or has to be gathered from voxels.
+fn rich(polygons: Option<u32>, emitters: Option<u32>) -> SceneFacts {
     SceneFacts {
         bounds: Some((DVec3::ZERO, DVec3::ONE)),
         triangles: 1000,
@@ -50,6 +54,7 @@ fn rich(polygons: Option<u32>) -> SceneFacts {
         point: 1,
         spot: 1,
         polygons,
+        emitters,
         emissive: true,
         emission_max: 1.0,
         textured: true,

@@ -1,6 +1,6 @@
 //! Whether a scene is the one on the device, but for what may differ from frame to frame.
 
-use voxlume_graph::{Plan, SceneFacts};
+use voxlume_graph::{Emission, Plan, SceneFacts};
 use voxlume_scene::{Instance, LightKind, Scene};
 
 use crate::Error;
@@ -28,7 +28,10 @@ impl Known<'_> {
         };
         let point = punctual(|kind| matches!(kind, LightKind::Point { .. }));
         let spot = punctual(|kind| matches!(kind, LightKind::Spot { .. }));
-        let polygons = if plan.area_lights { facts.polygons.unwrap_or(0) } else { 0 };
+        let polygons = match plan.emission {
+            Emission::AreaLights => facts.polygons.unwrap_or(0),
+            _ => 0,
+        };
         for (what, is, was) in [
             ("lights", lights, facts.punctual() + polygons),
             ("point lights", point, facts.point),

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::camera::rh::{proj::directx, view};
 use glam::{Mat4, Vec2, Vec3, Vec4};
-use voxlume_graph::{AREA_LIGHT_LIMIT, Plan, SceneFacts};
+use voxlume_graph::{AREA_LIGHT_LIMIT, EMITTER_LIMIT, Emission, Plan, SceneFacts};
 use voxlume_scene::{EmissivePolygon, Light as SceneLight, LightKind, Scene};
 
 #[repr(C)]
@@ -46,11 +46,15 @@ pub(crate) fn lights(scene: &Scene, plan: &Plan, facts: &SceneFacts) -> Lights {
         list.push(packed);
         matrices.extend(views);
     }
-    if plan.area_lights {
-        let polygons = scene.emissive_polygons(plan.grid.centre, AREA_LIGHT_LIMIT).unwrap_or_default();
+    let origin = plan.grid.centre;
+    if plan.emission == Emission::AreaLights {
+        let polygons = scene.emissive_polygons(origin, AREA_LIGHT_LIMIT).unwrap_or_default();
         list.extend(polygons.iter().map(area));
     }
     let count = list.len() as u32;
+    if plan.emission == Emission::Sampled {
+        list.extend(sampled(&scene.emissive_pieces(origin, EMITTER_LIMIT).unwrap_or_default()));
+    }
     list.resize(list.len().max(1), Light::zeroed());
     Lights { count, lights: list, matrices }
 }
@@ -81,6 +85,22 @@ fn punctual(light: &SceneLight, plan: &Plan, shadow_layer: i32) -> Light {
             Light { kind: SPOT, position: relative(position), size: radius, direction, falloff, ..base }
         }
     }
+}
+
+/// Polygons that follow the lights, with their shares of all power.
+fn sampled(polygons: &[EmissivePolygon]) -> Vec<Light> {
+    let mut list: Vec<Light> = polygons.iter().map(area).collect();
+    let power = |light: &Light| {
+        let sides = 1.0 + f64::from(light.size);
+        f64::from(light.intensity.element_sum()) * f64::from(light.area) * sides
+    };
+    let all = list.iter().map(power).sum::<f64>().max(f64::MIN_POSITIVE);
+    let mut before = 0.0;
+    for light in &mut list {
+        before += power(light) / all;
+        light.falloff = Vec2::new(before as f32, (power(light) / all) as f32);
+    }
+    list
 }
 
 fn area(polygon: &EmissivePolygon) -> Light {

@@ -2,7 +2,7 @@
 
 use crate::bundle::Bundle;
 use crate::expansion::Expansion;
-use crate::facts::SceneFacts;
+use crate::facts::{Emission, SceneFacts};
 use crate::grid::Grid;
 use crate::pass::Sort;
 use crate::pipeline::{Located, PassEntry};
@@ -31,9 +31,9 @@ impl<'c, 'a> Expansion<'c, 'a> {
         self.context.light_count()
     }
 
-    /// Whether emissive polygons are lights of their own.
-    pub fn area_lights(&self) -> bool {
-        self.context.area_lights
+    /// How emission reaches others.
+    pub fn emission(&self) -> Emission {
+        self.context.emission
     }
 
     /// Whether voxels hold emission.

@@ -10,7 +10,7 @@ use voxlume_shader::{Binding, EFFECT, Library, Shader, TRACER, link};
 use crate::bundle::Bundle;
 use crate::entries::sorts;
 use crate::expansion::LAST;
-use crate::facts::SceneFacts;
+use crate::facts::{Emission, SceneFacts};
 use crate::grid::{Extent, Grid};
 use crate::pass::{Kinds, PassKind, Sort};
 use crate::pipeline::{Located, PassEntry, Pipeline};
@@ -52,7 +52,7 @@ pub(crate) struct Context<'a> {
     pub default_storage: Storage<'a>,
     /// The pipeline's own comes first; its centre is the scene's origin.
     pub grids: Vec<Grid>,
-    pub area_lights: bool,
+    pub emission: Emission,
     /// What sort of thing each name of the graph is.
     pub sorts: BTreeMap<String, Sort>,
     /// Names of the entries that are planned.
@@ -69,7 +69,7 @@ pub(crate) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    pub fn new(given: Given<'a>, storage: Storage<'a>, grid: Grid, area_lights: bool) -> Context<'a> {
+    pub fn new(given: Given<'a>, storage: Storage<'a>, grid: Grid, emission: Emission) -> Context<'a> {
         let Given { pipeline, facts, kinds, formats, encodings, tracers, library, screen, filters_float32 } =
             given;
         Context {
@@ -84,7 +84,7 @@ impl<'a> Context<'a> {
             filters_float32,
             default_storage: storage,
             grids: vec![grid],
-            area_lights,
+            emission,
             sorts: sorts(pipeline, kinds),
             live: BTreeSet::new(),
             bundles: BTreeMap::new(),
@@ -166,6 +166,10 @@ impl<'a> Context<'a> {
             ("walk", "walk/bricks"),
             ("meet", "meet/sheets"),
             ("lamps", "lamps/none"),
+            (
+                "emitters",
+                if self.emission == Emission::Sampled { "emitters/sampled" } else { "emitters/none" },
+            ),
         ];
         let usual = usual.map(|(name, module)| (name, module.to_owned()));
         self.default_storage.mounts().into_iter().chain(usual).collect()
@@ -291,20 +295,20 @@ impl<'a> Context<'a> {
             ("HAS_DIRECTIONAL", flag(facts.directional > 0)),
             ("HAS_POINT", flag(facts.point > 0)),
             ("HAS_SPOT", flag(facts.spot > 0)),
-            ("HAS_AREA", flag(self.area_lights)),
+            ("HAS_AREA", flag(self.emission != Emission::Gathered)),
             ("CONSERVATIVE", flag(self.pipeline.separability.value == "conservative")),
         ]
     }
 
     /// Whether voxels hold emission.
     pub fn voxel_emission(&self) -> bool {
-        self.facts.emissive && !self.area_lights
+        self.facts.emissive && self.emission != Emission::AreaLights
     }
 
     /// Lights of all kinds.
     pub fn light_count(&self) -> u32 {
-        let polygons = if self.area_lights { self.facts.polygons.unwrap_or(0) } else { 0 };
-        self.facts.punctual() + polygons
+        let area_lights = self.emission == Emission::AreaLights;
+        self.facts.punctual() + if area_lights { self.facts.polygons.unwrap_or(0) } else { 0 }
     }
 }
 

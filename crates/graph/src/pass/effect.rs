@@ -4,6 +4,7 @@ use super::gbuffer::guide_name;
 use super::{PassKind, Port, Sort};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
+use crate::facts::Emission;
 use crate::pipeline::{PassEntry, SCALES};
 use crate::plan::{ImageExtent, ImageTexel, ResourceKind, Target};
 
@@ -52,12 +53,16 @@ impl PassKind for Effect {
         };
         let mut from = place(pass, scale, means.len());
         let guide = pass.variable(&guide_name(scale));
-        let lamps = pass.area_lights();
+        let lamps = match pass.emission() {
+            Emission::AreaLights => "lamps/area",
+            Emission::Sampled => "lamps/voxels",
+            Emission::Gathered => "lamps/none",
+        };
         let gather = pass
             .run("pass/effect")
             .mount("effect", &module)
             .mount("texel", texel_module(texel))
-            .mount("lamps", if lamps { "lamps/area" } else { "lamps/none" })
+            .mount("lamps", lamps)
             .writes("image", Target::Resource(from))
             .with("INTERLEAVE", entry.interleave)
             .with("LEANS", leans);

@@ -12,6 +12,7 @@ pub use pass::{ParamSlot, Pass, Sources, Update};
 pub use resource::{ImageExtent, ImageTexel, Life, Resource, ResourceKind};
 pub use step::{Bind, Groups, Program, Step, Target, Vertices};
 
+use crate::facts::Emission;
 use crate::grid::Grid;
 use crate::params;
 use crate::pipeline::Value;
@@ -31,8 +32,8 @@ pub struct Plan {
     pub screen: [u32; 2],
     /// Triangles to be voxelized and drawn.
     pub triangles: u32,
-    /// Whether emissive polygons are lights of their own; else voxels hold the emission, if there is any.
-    pub area_lights: bool,
+    /// How what surfaces emit reaches others.
+    pub emission: Emission,
     /// Linked and checked WGSL.
     pub shaders: Vec<Shader>,
     /// What passes read and write.

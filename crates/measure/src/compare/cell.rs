@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use voxlume::{Camera, Fault, Faults, Request, Scene, SceneFacts, one_of};
+use voxlume::{Camera, Emission, Fault, Faults, Request, Scene, SceneFacts, one_of};
 use voxlume_reference::cache::SceneDigest;
 
 use super::Sweep;
@@ -24,7 +24,7 @@ pub struct Subject {
     /// The eye.
     pub camera: Camera,
     /// Whether emissive polygons are lights of their own.
-    area_lights: bool,
+    emission: Emission,
 }
 
 /// One comparison.
@@ -73,9 +73,9 @@ pub fn cells<'p>(sweep: &Sweep<'p>) -> Result<Cells<'p>, Error> {
     };
     let finest = Setting { resolution: *resolution, ..first.clone() };
     let mut cells = Vec::new();
-    for (subject, Subject { facts, area_lights, .. }) in subjects.iter().enumerate() {
+    for (subject, Subject { facts, emission, .. }) in subjects.iter().enumerate() {
         let there = |effect: &&Effect<'_>| {
-            effect.entry.when.as_ref().is_none_or(|when| facts.meets(&when.value, *area_lights))
+            effect.entry.when.as_ref().is_none_or(|when| facts.meets(&when.value, *emission))
         };
         for &effect in effects.iter().filter(there) {
             cells.extend(settings.iter().map(|setting| Cell { subject, effect, setting: setting.clone() }));
@@ -117,9 +117,9 @@ fn subjects(sweep: &Sweep<'_>, faults: &mut Faults) -> Vec<Subject> {
         let Some(facts) = faults.gather(SceneFacts::of(&scene)) else { continue };
         // What is wrong with the pipeline or the size is so in every cell.
         let plan = faults.gather(voxlume::plan(pipeline, &facts, registry, &Request::image(width, height)));
-        let area_lights = plan.is_some_and(|plan| plan.area_lights);
+        let emission = plan.map_or(Emission::Gathered, |plan| plan.emission);
         let digest = SceneDigest::of(&scene);
-        subjects.push(Subject { label, scene, digest, facts, camera, area_lights });
+        subjects.push(Subject { label, scene, digest, facts, camera, emission });
     }
     subjects
 }

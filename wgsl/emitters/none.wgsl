@@ -1,0 +1,9 @@
+// No emissive polygon is asked by itself: emission comes from voxels or from lights, or there is none.
+
+import package::common::trace::Apex;
+
+const SAMPLED = false;
+
+fn emitters_irradiance(apex: Apex, normal: vec3f, rays: u32) -> vec3f {
+    return vec3f(0.0);
+}
