@@ -43,6 +43,16 @@ fn unpack_sheet(words: vec2u) -> Sheet {
     return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y);
 }
 
+// Each component in [0, 1], to 1/2047 at most.
+fn pack_side_reflectance(reflectance: vec3f) -> u32 {
+    let units = vec3u(round(saturate(reflectance) * vec3f(2047.0, 2047.0, 1023.0)));
+    return units.x | (units.y << 11) | (units.z << 22);
+}
+
+fn unpack_side_reflectance(word: u32) -> vec3f {
+    return vec3f(vec3u(word & 2047, (word >> 11) & 2047, word >> 22)) / vec3f(2047.0, 2047.0, 1023.0);
+}
+
 // Not unit: 1 along the axis.
 fn sheet_normal(sheet: Sheet) -> vec3f {
     let s = sheet.slope;

@@ -4,10 +4,12 @@ import package::common::grid::grid;
 import package::common::sheet::{ALL_SQUARES, SQUARES, TWO_SIDED};
 import package::common::triangle_box::swizzle;
 
-// For each axis of a voxel: weights of fronts towards + and −, their heights, two slopes, and the bits. As pass/sheets.wgsl reads them.
+// For each axis of a voxel: weights of fronts towards + and −, their heights, two slopes, the bits, and what the fronts reflect. As
+// pass/sheets.wgsl reads them.
 var<storage, read_write> sheet_sums: array<atomic<u32>>;
 
-const SHEET_STRIDE = 21u;
+const AXIS_STRIDE = 13u;
+const SHEET_STRIDE = 3u * AXIS_STRIDE;
 
 // How far inside a triangle's edge from a to b a square lies with all of it; negative where some of it is outside. `facing`
 // is positive where the corners turn from x to y.
@@ -37,7 +39,7 @@ fn covered_squares(v: array<vec2f, 3>, facing: f32) -> u32 {
 }
 
 // A triangle's plane in a voxel, and how much of it is there. Corners are voxels; the axis is the one that the normal is nearest to.
-fn add_sheet(corners: array<vec3f, 3>, axis: u32, weight: f32, two_sided: bool, cell: vec3u, slot: u32) {
+fn add_sheet(corners: array<vec3f, 3>, axis: u32, weight: f32, two_sided: bool, reflectance: vec3f, cell: vec3u, slot: u32) {
     let centre = vec3f(cell) + 0.5;
     let v = array(swizzle(corners[0] - centre, axis), swizzle(corners[1] - centre, axis), swizzle(corners[2] - centre, axis));
     let n = cross(v[1] - v[0], v[2] - v[1]);
@@ -46,7 +48,7 @@ fn add_sheet(corners: array<vec3f, 3>, axis: u32, weight: f32, two_sided: bool, 
     }
     let slope = clamp(-n.xy / n.z, vec2f(-1.0), vec2f(1.0));
     let height = clamp(v[0].z - dot(slope, v[0].xy), -1.5, 1.5);
-    let first = slot * SHEET_STRIDE + 7 * axis;
+    let first = slot * SHEET_STRIDE + AXIS_STRIDE * axis;
     let units = u32(round(weight * grid.attribute_scale));
     let sums = vec3u(round(f32(units) * vec3f(height / 3.0 + 0.5, 0.5 * slope + 0.5)));
     let low = select(1u, 0u, n.z > 0.0);
@@ -54,6 +56,10 @@ fn add_sheet(corners: array<vec3f, 3>, axis: u32, weight: f32, two_sided: bool, 
     atomicAdd(&sheet_sums[first + 2 + low], sums.x);
     atomicAdd(&sheet_sums[first + 4], sums.y);
     atomicAdd(&sheet_sums[first + 5], sums.z);
+    let reflected = vec3u(round(f32(units) * reflectance));
+    atomicAdd(&sheet_sums[first + 7 + 3 * low], reflected.x);
+    atomicAdd(&sheet_sums[first + 8 + 3 * low], reflected.y);
+    atomicAdd(&sheet_sums[first + 9 + 3 * low], reflected.z);
     let squares = covered_squares(array(v[0].xy, v[1].xy, v[2].xy), n.z);
     atomicOr(&sheet_sums[first + 6], squares | select(0u, TWO_SIDED, two_sided));
 }

@@ -1,14 +1,16 @@
 // The sides of a voxel's surfaces, each with a radiance of its own: for each axis k that towards +k and that towards −k.
 
 import package::common::attributes::VoxelSurface;
-import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, middle_of, sheet_normal, unpack_sheet};
+import package::common::conflict::{CONFLICT, CONFLICT_SUM};
+import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, middle_of, sheet_normal, unpack_sheet, unpack_side_reflectance};
 import package::common::trace::{Apex, Share};
 
-// As many of each voxel as it may have, those that are there first.
+// Of each voxel: as many sheets as it may have, those that are there first; then what each of its sides reflects, packed.
 var<storage, read> sheets: array<vec2u>;
 
 const SHEETS = 6u;
 const SIDES = 6u;
+const SHEET_ENTRIES = SHEETS + SIDES / 2;
 
 // Number 2k looks towards +k, number 2k + 1 towards −k.
 fn side_number(bits: u32, back: bool) -> u32 {
@@ -20,6 +22,7 @@ struct Side {
     // In all voxels' sides.
     index: u32,
     apex: Apex,
+    reflectance: vec3f,
 }
 
 // Goes to the next side that a voxel shows; `at` begins with 0. False after the last.
@@ -27,25 +30,29 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     let centre = vec3f(cell) + 0.5;
     // Even: the front of a sheet. Odd: its back.
     var step = *at;
-    var words = sheets[SHEETS * slot + step / 2];
+    var words = sheets[SHEET_ENTRIES * slot + step / 2];
     if (step == 0 && words.y == 0) {
         // Too little of a surface for a sheet: one side along the mean normal.
         *at = 2 * SHEETS;
-        *side = Side(SIDES * slot, Apex(centre, surface.normal, share));
+        *side = Side(SIDES * slot, Apex(centre, surface.normal, share), surface.albedo);
         return any(surface.normal != vec3f(0.0));
     }
     if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
         step += 1;
     }
-    if (step >= 2 * SHEETS || ((step & 1) == 0 && step > 0 && (sheets[SHEETS * slot + step / 2 - 1].y & MORE) == 0)) {
+    if (step >= 2 * SHEETS || ((step & 1) == 0 && step > 0 && (sheets[SHEET_ENTRIES * slot + step / 2 - 1].y & MORE) == 0)) {
         return false;
     }
-    words = sheets[SHEETS * slot + step / 2];
+    words = sheets[SHEET_ENTRIES * slot + step / 2];
     *at = step + 1;
     let back = (step & 1) == 1;
     let sheet = unpack_sheet(words);
     let number = side_number(words.y, back);
     let up = normalize(sheet_normal(sheet));
-    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share));
+    var reflectance = surface.albedo;
+    if (CONFLICT == CONFLICT_SUM) {
+        reflectance = unpack_side_reflectance(sheets[SHEET_ENTRIES * slot + SHEETS + number / 2][number & 1]);
+    }
+    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share), reflectance);
     return true;
 }

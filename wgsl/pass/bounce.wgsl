@@ -26,6 +26,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     while (next_side(cell, slot, surface, share, &at, &side)) {
         // Irradiance is π times the mean radiance, and what is reflected of it albedo / π.
         let arriving = trace_gather(side.apex, hemisphere_lobe(side.apex.normal), reach_of(1e30)).radiance;
-        bounced[side.index] = pack_radiance(surface.albedo * arriving);
+        bounced[side.index] = pack_radiance(side.reflectance * arriving);
     }
 }

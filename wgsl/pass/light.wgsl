@@ -81,6 +81,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var at = 0u;
     var side: Side;
     while (next_side(cell, slot, surface, share, &at, &side)) {
-        direct[side.index] = pack_radiance(emission + surface.albedo / PI * irradiance(side.apex));
+        direct[side.index] = pack_radiance(emission + side.reflectance / PI * irradiance(side.apex));
     }
 }

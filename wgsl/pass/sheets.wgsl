@@ -1,16 +1,18 @@
 // Each voxel's sheets from what its triangles added up, packed (see common/sheet.wgsl).
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{HAS_BACK, LOW, MORE, Sheet, THERE, TWO_SIDED, pack_sheet};
+import package::common::sheet::{HAS_BACK, LOW, MORE, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
 import package::common::voxels::level_cell;
 
-// For each axis: weights of fronts towards + and −, their heights, two slopes, and the bits.
+// As common/sheet_sums.wgsl adds them up.
 var<storage, read> sheet_sums: array<u32>;
 // As many of each voxel as it may have: see common/side.wgsl.
 var<storage, read_write> sheets: array<vec2u>;
 
-const SHEET_STRIDE = 21u;
+const AXIS_STRIDE = 13u;
+const SHEET_STRIDE = 3u * AXIS_STRIDE;
 const SHEETS = 6u;
+const SHEET_ENTRIES = 9u;
 
 fn sum_at(index: u32) -> f32 {
     return f32(sheet_sums[index]);
@@ -25,7 +27,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     var count = 0u;
     for (var i = 0u; i < SHEETS; i++) {
-        let first = slot * SHEET_STRIDE + 7 * (i / 2);
+        let first = slot * SHEET_STRIDE + AXIS_STRIDE * (i / 2);
         let low = i & 1;
         let weight = sum_at(first + low);
         if (weight == 0.0) {
@@ -38,13 +40,21 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         if ((bits & TWO_SIDED) != 0 && other == 0.0) {
             bits |= HAS_BACK;
         }
-        if (count > 0) {
-            sheets[SHEETS * slot + count - 1].y |= MORE;
+        let reflects = 7 + 3 * low;
+        let reflected = vec3f(sum_at(first + reflects), sum_at(first + reflects + 1), sum_at(first + reflects + 2));
+        let reflectance = pack_side_reflectance(reflected / weight);
+        let side = SHEET_ENTRIES * slot + SHEETS + i / 2;
+        sheets[side][low] = reflectance;
+        if ((bits & HAS_BACK) != 0) {
+            sheets[side][1 - low] = reflectance;
         }
-        sheets[SHEETS * slot + count] = pack_sheet(Sheet(height, slope, i / 2, bits));
+        if (count > 0) {
+            sheets[SHEET_ENTRIES * slot + count - 1].y |= MORE;
+        }
+        sheets[SHEET_ENTRIES * slot + count] = pack_sheet(Sheet(height, slope, i / 2, bits));
         count++;
     }
     for (; count < SHEETS; count++) {
-        sheets[SHEETS * slot + count] = vec2u(0);
+        sheets[SHEET_ENTRIES * slot + count] = vec2u(0);
     }
 }

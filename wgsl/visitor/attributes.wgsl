@@ -74,11 +74,12 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     let weight = visitor.weight;
     let shine = roughness_metallic(material, f.uv, f.lod);
     let slot = voxel_slot(cell);
-    add_sheet(visitor.corners.v, visitor.axis, visitor.weight, material.double_sided != 0, cell, slot);
+    let reflectance = saturate(total_reflectance(color.rgb, shine.y, shine.x));
+    add_sheet(visitor.corners.v, visitor.axis, visitor.weight, material.double_sided != 0, reflectance, cell, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
-    add_reflectance(first + 2, saturate(total_reflectance(color.rgb, shine.y, shine.x)), weight);
+    add_reflectance(first + 2, reflectance, weight);
     // Positive and negative parts have words of their own.
     let n = fragment_normal(visitor.corners, f, material) * weight;
     let negative = select(vec3u(0), vec3u(3), n < vec3f(0.0));

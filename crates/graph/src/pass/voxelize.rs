@@ -24,10 +24,10 @@ const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 const LISTED_WORDS: u32 = 16;
 
 /// Words that triangles add up for a voxel's planes: see wgsl/pass/sheets.wgsl.
-const SHEET_STRIDE: u32 = 21;
+const SHEET_STRIDE: u32 = 3 * 13;
 
-/// Bytes of a voxel's sheets: see wgsl/common/sheet.wgsl.
-pub(crate) const SHEET_BYTES: u64 = 6 * 8;
+/// Bytes of a voxel's sheets, and of what its sides reflect: see wgsl/common/side.wgsl.
+pub(crate) const SHEET_BYTES: u64 = (6 + 3) * 8;
 
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
