@@ -70,6 +70,7 @@ fn run(save: bool) -> Result<(), Box<dyn Error>> {
         effects: vec!["all".into()],
         samples: 512,
         repeat: 5,
+        bounds: Vec::new(),
         folder: FOLDER.into(),
     };
     let results = sweep.run(&mut Stages, &AtomicBool::new(false))?;

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use voxlume::Fault;
 use voxlume::Registry;
-use voxlume_measure::compare::Sweep;
+use voxlume_measure::compare::{Sweep, suite};
 use voxlume_measure::{Error, Progress as _, Settings};
-use voxlume_report::{Results, against, table};
+use voxlume_report::{Overview, Results, against, table};
 
 use crate::args::size;
 use crate::failure::Failure;
@@ -31,12 +31,18 @@ use crate::{interrupt, pipeline};
   voxlume compare scenes/cornell.ron --out cornell
   voxlume compare scenes/cornell.ron --formats isotropic,sh2 --resolutions 64 --effects diffuse,final --out two
   voxlume compare scenes/cornell.ron --tracers all --resolutions 128 --scales 1,2 --out tracers
+  voxlume compare --suite open_scenes --baseline benches/suite.json --out suite
   voxlume compare scenes/*.ron --spp 2048 --repeat 20 --out all
   voxlume compare scenes/cornell.ron --baseline cornell/results.json --out changed")]
 pub struct Args {
     /// Scene files: .ron, .gltf or .glb
-    #[arg(value_name = "SCENE", required = true)]
+    #[arg(value_name = "SCENE", required_unless_present = "suite")]
     scenes: Vec<PathBuf>,
+
+    /// Five open scenes from a folder, cornell.glb, cornell_double_sided.glb, cornell_blender.glb, sponza_lite.glb and
+    /// sibenik.glb, with every tracer, at 128 voxels and 256x144 pixels unless given; marks what is out of its bound
+    #[arg(long, value_name = "FOLDER", conflicts_with = "scenes")]
+    suite: Option<PathBuf>,
 
     /// Storage formats with commas between, or all; options follow a name, such as sh2:mip=projected:negatives=window
     #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
@@ -50,8 +56,8 @@ pub struct Args {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     tracers: Vec<String>,
 
-    /// Voxels along the grid's side
-    #[arg(long, value_name = "LIST", default_value = "32,64,128", value_delimiter = ',')]
+    /// Voxels along the grid's side; 32,64,128 unless given
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     resolutions: Vec<u32>,
 
     /// What the screen's size is divided by where tracing effects gather, with commas between: 1, 2, 4 or 8; as the
@@ -68,9 +74,9 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
 
-    /// Width and height of the images in pixels
-    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
-    size: [u32; 2],
+    /// Width and height of the images in pixels; 256x256 unless given
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
 
     /// The reference's samples of each pixel
     #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u32).range(2..))]
@@ -104,19 +110,26 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     let mut progress = Progress::new();
     progress.stage("loading".into());
     let baseline = args.baseline.as_deref().map(baseline).transpose()?;
+    let suite = args.suite.is_some();
+    let scenes = args.suite.as_deref().map_or_else(|| Ok(args.scenes.clone()), suite::scenes)?;
+    let bounds = if suite { suite::bounds() } else { Vec::new() };
+    let unless =
+        |given: &[u32], usual: &[u32]| if given.is_empty() { usual.to_vec() } else { given.to_vec() };
+    let all = || vec!["all".to_owned()];
     let sweep = Sweep {
         settings: Settings {
             registry,
             pipeline: &pipeline,
             formats: args.formats.clone(),
             encodings: args.encodings.clone(),
-            tracers: args.tracers.clone(),
-            resolutions: args.resolutions.clone(),
+            tracers: if suite && args.tracers.is_empty() { all() } else { args.tracers.clone() },
+            resolutions: unless(&args.resolutions, if suite { &[128] } else { &[32, 64, 128] }),
             scales: args.scales.clone(),
-            size: args.size,
+            size: args.size.unwrap_or(if suite { [256, 144] } else { [256, 256] }),
             adapter: args.adapter.clone(),
         },
-        scenes: args.scenes.clone(),
+        scenes,
+        bounds: bounds.clone(),
         camera: args.camera.clone(),
         effects: args.effects.clone(),
         samples: args.spp,
@@ -132,6 +145,12 @@ pub fn run(args: &Args, registry: &Registry) -> Result<(), Failure> {
     })?;
     drop(progress);
     crate::print(&table(&results))?;
+    if let Some(overview) = Overview::of(&results, &bounds) {
+        crate::print(&format!("\nall scenes, bias over the mean and RMSE:\n{}", overview.text()))?;
+        if suite {
+            crate::print(&format!("{} figures are out of their bounds\n", overview.out_of_bounds()))?;
+        }
+    }
     if let Some(baseline) = baseline {
         crate::print(&format!("\nsince the baseline:\n{}", against(&results, &baseline)))?;
     }

@@ -4,13 +4,14 @@ mod cell;
 mod folder;
 mod measure;
 mod report;
+pub mod suite;
 mod sweep;
 mod truth;
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use voxlume_report::Results;
+use voxlume_report::{Bound, Results};
 
 use crate::{Error, Progress, Settings};
 
@@ -28,6 +29,8 @@ pub struct Sweep<'a> {
     pub samples: u32,
     /// Frames to time, after one of warm-up.
     pub repeat: u32,
+    /// What the report marks where it is exceeded.
+    pub bounds: Vec<Bound>,
     /// Folder for results, pictures and references. A cell that is finished there under the same settings isn't run again.
     pub folder: PathBuf,
 }

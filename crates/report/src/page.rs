@@ -9,8 +9,9 @@ use std::fmt::Write;
 
 use self::pictures::{Pictures, ScriptStrip};
 use crate::number::{bytes, mark, mark_bytes, short};
+use crate::overview::{Bound, Overview};
 use crate::plot::{Plot, Point, SERIES, escape, mark_at};
-use crate::results::{Device, Outcome, Results};
+use crate::results::{Device, Outcome, Results, Row};
 
 pub use stability::stability_page;
 
@@ -29,13 +30,18 @@ pub struct Strip {
     pub error_scale: f64,
 }
 
-/// The page. `date` and `subtitle` (what was asked for) stand in its head.
-pub fn page(results: &Results, strips: &[Strip], date: &str, subtitle: &str) -> String {
+/// The page. `date` and `subtitle` (what was asked for) stand in its head. Where there are several scenes, they stand first side by
+/// side, held against `bounds`.
+pub fn page(results: &Results, strips: &[Strip], bounds: &[Bound], date: &str, subtitle: &str) -> String {
     let mut html = head("speed against error", &results.device, date, subtitle);
+    if let Some(overview) = Overview::of(results, bounds) {
+        all_scenes(&mut html, results, &overview);
+    }
     let mut pictures = Pictures::default();
     let mut scripts = BTreeMap::new();
     for (number, (scene, effect)) in groups(results).into_iter().enumerate() {
-        section(&mut html, results, (scene, effect), number);
+        let open = if results.rows.iter().all(|row| row.scene == scene) { " open" } else { "" };
+        section(&mut html, results, (scene, effect), number, open);
         let of_group = strips.iter().filter(|strip| {
             results.rows.get(strip.row).is_some_and(|row| row.scene == scene && row.effect == effect)
         });
@@ -112,7 +118,55 @@ fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     distinct
 }
 
-fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize) {
+/// The table of all scenes, and one plot: the mean over scenes, and the worst.
+fn all_scenes(html: &mut String, results: &Results, overview: &Overview) {
+    *html += &overview.html();
+    let (series, tracers) = (series(results), tracers(results));
+    let effect = overview.plotted();
+    let _ = write!(html, "<section>\n<h2>All scenes: {}</h2>\n<div class=\"plots\">", escape(effect));
+    for (which, error) in ["mean RMSE", "RMSE of the worst scene"].into_iter().enumerate() {
+        let points = overview.points(effect).map(|(row, cost, errors)| {
+            let row = &results.rows[row];
+            point(row, &series, &tracers, cost, errors[which], String::new())
+        });
+        let points = points.collect();
+        let cost = "mean time of all passes, ms";
+        let plot = Plot { cost, cost_text: mark, error, error_text: mark, points, joined: false };
+        let _ = write!(html, "<figure>{}</figure>", plot.svg());
+    }
+    *html += "</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n";
+    legend(html, &series, &tracers);
+    *html += "</section>\n";
+}
+
+/// A setting's mark in a plot.
+fn point(row: &Row, series: &[(&str, &str)], tracers: &[&str], cost: f64, error: f64, more: String) -> Point {
+    let is_of = |one: &(&str, &str)| *one == (row.format.as_str(), row.encoding.as_str());
+    Point {
+        series: series.iter().position(is_of).unwrap_or(0),
+        shape: tracers.iter().position(|tracer| *tracer == row.tracer).unwrap_or(0),
+        cost,
+        error,
+        label: match row.scale {
+            Some(scale) => format!("{} 1/{scale}", row.resolution),
+            None => row.resolution.to_string(),
+        },
+        title: format!("{}: {}RMSE {}", row.setting(), more, short(error)),
+    }
+}
+
+/// What colours and forms mean.
+fn legend(html: &mut String, series: &[(&str, &str)], tracers: &[&str]) {
+    *html += "<ul class=\"legend\">";
+    for (index, (format, encoding)) in series.iter().enumerate() {
+        let _ =
+            write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
+    }
+    *html += &forms(tracers);
+    *html += "<li class=\"ringed\">Pareto front</li></ul>\n";
+}
+
+fn section(html: &mut String, results: &Results, group: (&str, &str), number: usize, open: &str) {
     let (series, tracers) = (series(results), tracers(results));
     let (mut by_time, mut by_bytes) = (Vec::new(), Vec::new());
     let mut held_against = None;
@@ -121,23 +175,12 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
         let Outcome::Measured { passes: _, total_ms, volume_bytes, error, .. } = &row.outcome else {
             continue;
         };
-        let place =
-            series.iter().position(|one| *one == (row.format.as_str(), row.encoding.as_str())).unwrap_or(0);
-        let shape = tracers.iter().position(|tracer| *tracer == row.tracer).unwrap_or(0);
         let note = Some(row.note()).filter(|note| !note.is_empty());
         let note = note.map(|note| format!(" ({note})")).unwrap_or_default();
         let push = |list: &mut Vec<Point>, cost: f64, cost_text: String| {
-            list.push(Point {
-                series: place,
-                shape,
-                cost,
-                error: error.rmse,
-                label: match row.scale {
-                    Some(scale) => format!("{} 1/{scale}", row.resolution),
-                    None => row.resolution.to_string(),
-                },
-                title: format!("{}: {cost_text}, RMSE {}{note}", row.setting(), short(error.rmse)),
-            });
+            let mut point = point(row, &series, &tracers, cost, error.rmse, format!("{cost_text}, "));
+            point.title += &note;
+            list.push(point);
         };
         push(&mut by_time, *total_ms, format!("{total_ms:.2} ms"));
         push(&mut by_bytes, *volume_bytes as f64, bytes(*volume_bytes as f64));
@@ -171,15 +214,11 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
     for plot in [time, size] {
         let _ = write!(html, "<figure>{}</figure>", plot.svg());
     }
-    html.push_str("</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n<ul class=\"legend\">");
-    for (index, (format, encoding)) in series.iter().enumerate() {
-        let _ =
-            write!(html, "<li class=\"s{}\">{} {}</li>", index % SERIES, escape(format), escape(encoding));
-    }
-    *html += &forms(&tracers);
+    html.push_str("</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n");
+    legend(html, &series, &tracers);
     let _ = write!(
         html,
-        "<li class=\"ringed\">Pareto front</li></ul>\n<div class=\"strips\" data-strips=\"{number}\"></div>\n"
+        "<details{open}><summary>Pictures</summary><div class=\"strips\" data-strips=\"{number}\"></div></details>\n"
     );
 }
 
@@ -196,7 +235,7 @@ mod tests {
             error: b"error".to_vec(),
             error_scale: 0.5,
         };
-        page(&results(), &[strip(b"one"), strip(b"two")], "2025-01-02 03:04 UTC", "64 samples")
+        page(&results(), &[strip(b"one"), strip(b"two")], &[], "2025-01-02 03:04 UTC", "64 samples")
     }
 
     #[test]

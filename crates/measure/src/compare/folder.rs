@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use voxlume::Fault;
-use voxlume_report::{Results, Row, Strip, csv, page, utc_now};
+use voxlume_report::{Bound, Results, Row, Strip, csv, page, utc_now};
 
 use crate::Error;
 use crate::outfile::{self, OutFile};
@@ -80,12 +80,13 @@ impl Folder {
         &self,
         results: &Results,
         pictures: &[(usize, Pictures)],
+        bounds: &[Bound],
         subtitle: &str,
     ) -> Result<(), Error> {
         let strips: Vec<Strip> =
             pictures.iter().map(|(row, pictures)| self.strip(*row, pictures)).collect::<Result<_, _>>()?;
         let json = results.to_json().map_err(|error| Error::work(error.to_string()))?;
-        let html = page(results, &strips, &utc_now(), subtitle);
+        let html = page(results, &strips, bounds, &utc_now(), subtitle);
         let files = [("results.json", json), ("results.csv", csv(results)), ("report.html", html)];
         let out = files.map(|(name, text)| Ok((OutFile::new(&self.0.join(name))?, text.into_bytes())));
         outfile::write(&out.into_iter().collect::<Result<Vec<_>, Error>>()?)

@@ -76,7 +76,7 @@ pub fn run(sweep: &Sweep<'_>, progress: &mut dyn Progress, stop: &AtomicBool) ->
         "{width} × {height} pixels; reference of {} samples a pixel; medians of {} frames",
         sweep.samples, sweep.repeat
     );
-    run.folder.report(&results, &pictures, &subtitle)?;
+    run.folder.report(&results, &pictures, &sweep.bounds, &subtitle)?;
     Ok(results)
 }
 
