@@ -6,6 +6,9 @@ import package::common::mesh::vertices;
 import package::common::octahedral::{unpack_normal, unpack_tangent};
 import package::common::range::{in_half_range, unit_or};
 
+// Textures as the mean over a pixel, or else at its middle.
+override FILTERS_TEXTURES: bool = true;
+
 struct Varyings {
     @builtin(position) clip: vec4f,
     @location(0) position: vec3f,
@@ -47,7 +50,7 @@ fn fragment_main(v: Varyings, @builtin(front_facing) front: bool) -> Targets {
     }
     let texel_x = dpdx(v.uv) * TEXTURE_SIZE;
     let texel_y = dpdy(v.uv) * TEXTURE_SIZE;
-    let lod = 0.5 * log2(max(max(dot(texel_x, texel_x), dot(texel_y, texel_y)), 1e-8));
+    let lod = select(0.0, 0.5, FILTERS_TEXTURES) * log2(max(max(dot(texel_x, texel_x), dot(texel_y, texel_y)), 1e-8));
     let color = base_color(material, v.uv, lod);
     if (HAS_ALPHA_MASK && color.a < material.alpha_cutoff) {
         discard;

@@ -111,7 +111,7 @@ fn everything_is_planned_where_everything_is_needed() {
             let mut planned = names(&lit_by_polygons);
             planned.sort_unstable();
             assert_eq!(planned, all, "{}", format.name());
-            let emission = SceneFacts { polygons: None, sky: false, ..rich() };
+            let emission = SceneFacts { polygons: None, emitters: None, sky: false, ..rich() };
             for facts in [emission, rich()] {
                 let gathered = gi_for(&facts, &request);
                 is_in_order(&gathered);
@@ -358,7 +358,7 @@ fn fine_triangles_leave_no_bands() {
 fn passes_that_store_a_volume_depend_on_each_other_by_the_volume_alone() {
     let set = vec![("bounce".to_owned(), "bounces".to_owned(), Value::Number(1.0))];
     let request = Request { set, tracer: Some("cones".into()), ..request() };
-    let plan = gi_for(&SceneFacts { polygons: None, ..rich() }, &request);
+    let plan = gi_for(&SceneFacts { polygons: None, emitters: None, ..rich() }, &request);
     let stored = plan.resource("volume.stored").unwrap();
     for name in ["emission", "filter", "bounce"] {
         let pass = plan.passes.iter().find(|pass| pass.name == name).unwrap();

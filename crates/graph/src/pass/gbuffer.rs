@@ -1,6 +1,6 @@
 //! What the camera sees.
 
-use super::{PassKind, Port, Sort};
+use super::{ParamWords, PassKind, Port, Sort, Values};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over, screen_image};
 use crate::pipeline::SCALES;
@@ -34,6 +34,15 @@ impl PassKind for Gbuffer {
         }]
     }
 
+    fn words(&self) -> &[ParamWords] {
+        const WORDS: &[ParamWords] = &[ParamWords {
+            name: "textures",
+            sentence: "how they are looked up: the mean over a pixel, or the place at its middle",
+            values: Values::Words(&["filtered", "at_centre"]),
+        }];
+        WORDS
+    }
+
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let emissive = pass.facts().emissive;
         let targets = [
@@ -65,7 +74,12 @@ impl PassKind for Gbuffer {
             })
             .collect();
         pass.makes(bundle);
-        pass.run("pass/gbuffer").with("HAS_EMISSION", emissive).draws(&colors, (depth, 0), true);
+        let filtered = pass.word_or("textures", "filtered") == Some("filtered");
+        pass.run("pass/gbuffer").with("HAS_EMISSION", emissive).with("FILTERS_TEXTURES", filtered).draws(
+            &colors,
+            (depth, 0),
+            true,
+        );
         if let Some(&guide) = guides.first() {
             pass.run("pass/guide").writes("image", Target::Resource(guide)).over(Over::Texels(guide));
         }

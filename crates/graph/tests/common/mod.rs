@@ -20,6 +20,7 @@ pub fn rich() -> SceneFacts {
         point: 2,
         spot: 1,
         polygons: Some(2),
+        emitters: Some(2),
         emission_max: 5.0,
         emissive: true,
         textured: true,

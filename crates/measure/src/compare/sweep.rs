@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use voxlume::{Gpu, Plan, Request};
+use voxlume::{Gpu, Pipeline, Plan, Request, Value};
 use voxlume_reference::cache::Key;
 use voxlume_reference::{PixelSampling, Reflection};
 use voxlume_report::{Outcome, Results, Row, SCHEMA};
@@ -137,7 +137,8 @@ impl Run<'_> {
     fn plan(&self, cell: &Cell<'_>, setting: &Setting) -> Result<Plan, Error> {
         let Settings { registry, pipeline, .. } = self.sweep.settings;
         let output = Some(cell.effect.image.to_owned());
-        let request = Request { output, ..self.sweep.settings.request(setting, &self.gpu) };
+        let request = self.sweep.settings.request(setting, &self.gpu);
+        let request = Request { output, set: unfiltered(self.sweep.settings.pipeline), ..request };
         let facts = &self.subjects[cell.subject].facts;
         voxlume::plan(pipeline, facts, registry, &request).map_err(Error::from)
     }
@@ -202,4 +203,10 @@ impl Run<'_> {
             outcome,
         }
     }
+}
+
+/// The reference looks textures up at pixels' middles: so does what is held against it.
+fn unfiltered(pipeline: &Pipeline) -> Vec<(String, String, Value)> {
+    let draws = pipeline.passes.iter().filter(|entry| entry.run.value == "gbuffer");
+    draws.map(|entry| (entry.name.clone(), "textures".into(), Value::Word("at_centre".into()))).collect()
 }
