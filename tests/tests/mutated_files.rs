@@ -97,14 +97,15 @@ fn pipelines() {
     });
 }
 
-const ALTERNATIVES: [(&str, &[&str]); 12] = [
+const ALTERNATIVES: [(&str, &[&str]); 13] = [
     ("filter", &["filter/hardware", "filter/by_hand"]),
     ("tracer", &["tracer/cones", "tracer/rays"]),
     ("walk", &["walk/bricks", "walk/columns"]),
     ("level_walk", &["walk/bricks"]),
     ("seen", &["seen/pixel", "seen/reduced"]),
     ("meet", &["meet/sheets", "meet/cells"]),
-    ("lamps", &["lamps/none", "lamps/area"]),
+    ("lamps", &["lamps/none", "lamps/area", "lamps/voxels"]),
+    ("emitters", &["emitters/none", "emitters/sampled"]),
     ("format", &["format/isotropic", "format/six_face", "format/sh2"]),
     (
         "effect",

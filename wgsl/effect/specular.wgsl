@@ -4,10 +4,14 @@
 import package::common::environment::environment;
 import package::common::grid::longest_side;
 import package::common::lamp::lamp_parts;
+import package::common::alone::stands_alone;
 import package::common::light::{HAS_AREA, LIGHT_AREA, lights};
 import package::common::surface::{Surface, image_texel, screen_pixel, surface_apex};
-import package::common::trace::{ggx_lobe, reach_of};
+import package::common::trace::{WHOLE, ggx_lobe, reach_of};
 import package::tracer::trace::trace_gather;
+
+// Smoother surfaces have lobes less than ten times as wide as four pixels of a picture a few hundred pixels wide.
+const SHARP = 0.2;
 
 struct Params {
     /// Farthest surface that sends light, as a share of the grid's longest side; beyond it is the sky; 1000 unless given.
@@ -20,7 +24,13 @@ override HAS_SHADOW: bool = false;
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let lobe = ggx_lobe(surface.normal, surface.view, surface.roughness);
-    let found = trace_gather(surface_apex(surface), lobe, reach_of(params.distance * longest_side()));
+    var apex = surface_apex(surface);
+    // A mean over neighbours would blur a sharp reflection.
+    let alone = surface.share.count > 1 && surface.roughness < SHARP;
+    if (alone) {
+        apex.share = WHOLE;
+    }
+    let found = trace_gather(apex, lobe, reach_of(params.distance * longest_side()));
     var radiance = found.radiance;
     if (HAS_AREA && HAS_SHADOW) {
         let texel = image_texel(screen_pixel(surface.pixel, surface.image_size), textureDimensions(shadow));
@@ -31,5 +41,5 @@ fn effect(surface: Surface, params: Params) -> vec4f {
             }
         }
     }
-    return vec4f(radiance, found.opacity);
+    return select(vec4f(radiance, found.opacity), stands_alone(vec4f(radiance, found.opacity)), alone);
 }

@@ -12,9 +12,11 @@ fn every_builtin_module_is_valid() {
         let paths = library.paths().filter(|path| path.split('/').next() == Some(folder));
         paths.map(|path| path.split('/').take(depth).collect::<Vec<_>>().join("/")).collect::<BTreeSet<_>>()
     };
-    let mounts =
-        ["format", "encoding", "filter", "tracer", "walk", "meet", "lamps", "seen", "effect", "visitor"]
-            .map(|name| (name, in_folder(name, 2)));
+    let mounts = [
+        "format", "encoding", "filter", "tracer", "walk", "meet", "lamps", "emitters", "seen", "effect",
+        "visitor",
+    ]
+    .map(|name| (name, in_folder(name, 2)));
     assert!(mounts.iter().all(|(_, folders)| !folders.is_empty()));
     let targets =
         mounts.each_ref().map(|(_, folders)| folders.iter().map(String::as_str).collect::<Vec<_>>());

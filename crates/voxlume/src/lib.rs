@@ -63,6 +63,7 @@
 //! | [`Extent`] | What space the grid takes: the scene's, or a given box. |
 //! | [`DEFAULT_METHOD`] | How `voxelize` finds voxels unless told otherwise. |
 //! | [`SceneFacts`] | What a scene needs, so that a plan models only that. |
+//! | [`Emission`] | How what surfaces emit reaches others. |
 //! | [`Request`] | What is asked for beside the pipeline: size, format, output, parameters. |
 //! | [`Registry`] | What pipelines can name: formats, kinds of passes, tracers, and the WGSL of all. |
 //! | [`plan`] | Checks a pipeline against a scene and gives the plan. |

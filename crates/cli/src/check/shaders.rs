@@ -25,8 +25,8 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
     let encodings: Vec<&str> = registry.encodings.iter().map(|encoding| encoding.module).collect();
     for (library, _) in &rounds {
         let folder = |name: &str| library.paths().filter(|path| path.starts_with(name)).collect::<Vec<_>>();
-        let [effects, visitors, filters, walks, meets, lamps, seen] =
-            ["effect/", "visitor/", "filter/", "walk/", "meet/", "lamps/", "seen/"].map(folder);
+        let [effects, visitors, filters, walks, meets, lamps, emitters, seen] =
+            ["effect/", "visitor/", "filter/", "walk/", "meet/", "lamps/", "emitters/", "seen/"].map(folder);
         let alternatives = [
             ("format", &formats[..]),
             ("encoding", &encodings),
@@ -37,6 +37,7 @@ pub fn check(files: &[(PathBuf, Arc<Source>)], registry: &Registry) -> Faults {
             ("level_walk", &["walk/bricks"]),
             ("meet", &meets),
             ("lamps", &lamps),
+            ("emitters", &emitters),
             ("seen", &seen),
             ("effect", &effects),
             ("visitor", &visitors),

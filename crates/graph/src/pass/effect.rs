@@ -79,7 +79,8 @@ impl PassKind for Effect {
             let (fine, coarse) = (guide(pass, at), guide(pass, 2 * at));
             let step = match (mean, fine, coarse) {
                 (Mean::Shared { apart, .. }, Some(fine), _) => {
-                    pass.run("pass/interleave").reads("guide", fine).with("APART", *apart)
+                    let last = !matches!(means.get(index + 1), Some(Mean::Shared { .. }));
+                    pass.run("pass/interleave").reads("guide", fine).with("APART", *apart).with("LAST", last)
                 }
                 (Mean::Up { .. }, Some(fine), Some(coarse)) => pass
                     .run("pass/upsample")
