@@ -275,8 +275,8 @@ fn the_cornell_box_explained() {
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels
       attributes         buffer                                    44 B × occupied voxels
-      sheet_sums         buffer                                    84 B × occupied voxels
-      sheets             buffer                                    48 B × occupied voxels
+      sheet_sums         buffer                                    156 B × occupied voxels
+      sheets             buffer                                    72 B × occupied voxels
       item_ranks         buffer                                    188 B
       item_groups        buffer                                    16 B
       radiance           buffer                                    24 B × occupied voxels
@@ -295,7 +295,7 @@ fn the_cornell_box_explained() {
 
     left out
       pass `shadow_maps`                     the scene has no directional, spot or point light
-      pass `emission`                        no sky, and no emission but that of area lights
+      pass `emission`                        no sky, and no emission but that of lights
       pass `bounce`                          `bounces` is 0
       pass `ambient_occlusion`               `ao_weight` is 0 (saves 2.00 MiB)
       pass `specular`                        no material is glossy (saves 2.00 MiB)

@@ -237,7 +237,7 @@ mod tests {
             Bound { scene: "hall".into(), effect: "diffuse".into(), bias: 0.06, rmse: Some(0.6), flip: None };
         let overview = Overview::of(&two_scenes(), &[bound]).unwrap();
         let expected = "\
-effect   setting                                     hall           room  mean |bias|  mean RMSE  worst RMSE  mean ms
+effect   setting                                    hall           room  mean |bias|  mean RMSE  worst RMSE  mean ms
 diffuse  isotropic rgba16float 64³ rays    -5.0 %, 0.500  -2.5 %, 0.250        3.8 %      0.375  hall 0.500      3.0  Pareto front
 diffuse  sh2 rgba16float 64³ rays        ! -7.5 %, 0.750  -7.5 %, 0.750        7.5 %      0.750  room 0.750      4.0
 ";

@@ -280,7 +280,7 @@ fn several_faults_of_parameters_at_once() {
        ┌─ p.ron:16:17
        │
     16 │                 bais: 1.5, parts: 2,
-       │                 ^^^^ did you mean `bias`? one of: occlusion, emission, bias, parts
+       │                 ^^^^ did you mean `bias`? one of: occlusion, emission, bias, parts, lamps
 
     error: parameter `bounces` of pass `bounce` can't be 99
        ┌─ p.ron:24:31

@@ -45,7 +45,7 @@ fn unknown() {
        ┌─ p.ron:31:53
        │
     31 │             params: (stepper: "spheres", step: 0.5, strat: 2, start: 1.0, ring: 5),
-       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start, ring, distance
+       │                                                     ^^^^^ did you mean `start`? one of: stepper, step, start, ring, distance, lamps
     "#);
     assert_snapshot!(message(&[(r#"(run: "voxelize", writes: ["voxels"])"#, r#"(run: "voxelize", writes: ["voxels"], params: (size: 3))"#)]), @r#"
     error: pass `voxelize` has no parameter `size`

@@ -218,7 +218,7 @@ fn set() {
     "#);
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "stp".into(), Value::Number(1.0))], ..request() }), @"
     error: pass `diffuse` has no parameter `stp`
-     = did you mean `step`? one of: stepper, step, start, ring, distance
+     = did you mean `step`? one of: stepper, step, start, ring, distance, lamps
     ");
     assert_snapshot!(message_for(&[], &Request { set: vec![("diffuse".into(), "step".into(), Value::Number(7.0))], ..request() }), @r#"
     error: parameter `step` of pass `diffuse` can't be 7
