@@ -25,6 +25,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (!level_cell(slot, 0, &cell)) {
         return;
     }
+    for (var i = SHEETS; i < SHEET_ENTRIES; i++) {
+        sheets[SHEET_ENTRIES * slot + i] = vec2u(0);
+    }
     var count = 0u;
     for (var i = 0u; i < SHEETS; i++) {
         let first = slot * SHEET_STRIDE + AXIS_STRIDE * (i / 2);
