@@ -24,7 +24,7 @@ use crate::{interrupt, pipeline};
 /// An effect whose entry names no `reference` is held against itself, in the first format, encoding, tracer and scale at
 /// the finest resolution given.
 ///
-/// The reference looks through pixels' centres, as the renderer does, and reflects as glTF says. Its own noise is taken
+/// The reference looks through pixels' centres, as the renderer does, textures included, and reflects as glTF says. Its own noise is taken
 /// off RMSE and relative MSE; where it is over a fifth of the RMSE a note says so, and more --spp helps.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
