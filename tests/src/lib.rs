@@ -16,5 +16,5 @@ pub use mutate::{mutated_bytes, mutated_text};
 pub use overlap::{Comparison, EPSILON, Separability, compare, overlaps_box};
 pub use random::Random;
 pub use render::{gi, gpu, picture, plan_for, render, root};
-pub use scenes::{add, built_in, place, sample, scene_of, soup, span, triangle, triangles};
+pub use scenes::{add, built_in, place, sample, scene_from, scene_of, soup, span, triangle, triangles};
 pub use substrate::{Run, Substrate, Surface};

@@ -3,7 +3,7 @@
 
 use glam::{DAffine3, DVec3, Vec2, Vec3};
 use voxlume::scene::{Instance, Material, Mesh};
-use voxlume::{Camera, Scene};
+use voxlume::{Camera, Scene, Source};
 
 use crate::{Random, root};
 
@@ -93,6 +93,14 @@ pub fn soup(seed: u64, count: usize, side: f64, sizes: (f64, f64)) -> Vec<[Vec3;
 /// The file is at fault.
 pub fn built_in(file: &str) -> Scene {
     Scene::load(&root().join("scenes").join(file)).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+/// A scene from the text of a `.ron` file.
+///
+/// # Panics
+/// The text is at fault.
+pub fn scene_from(text: &str) -> Scene {
+    Scene::parse(&Source::new("scene.ron", text)).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
 /// One of the large sample scenes, which lie beside the repository if anywhere; says so if it isn't there.

@@ -261,9 +261,9 @@ fn two_images_of_one_name() {
         "compare box.ron --pipeline two.ron --out out",
         "loading
 error: two images would be compared as `final`
-   ┌─ two.ron:79:18
+   ┌─ two.ron:80:18
    │
-79 │             run: \"composite\",
+80 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }
