@@ -216,9 +216,9 @@ fn section(html: &mut String, results: &Results, group: (&str, &str), number: us
     }
     html.push_str("</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n");
     legend(html, &series, &tracers);
-    let _ = write!(
+    let _ = writeln!(
         html,
-        "<details{open}><summary>Pictures</summary><div class=\"strips\" data-strips=\"{number}\"></div></details>\n"
+        "<details{open}><summary>Pictures</summary><div class=\"strips\" data-strips=\"{number}\"></div></details>"
     );
 }
 
