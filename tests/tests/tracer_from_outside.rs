@@ -23,7 +23,7 @@ fn trace_opacity(apex: Apex, lobe: Lobe, reach: Reach, falloff: f32) -> f32 {
 }
 
 fn trace_gather(apex: Apex, lobe: Lobe, reach: Reach) -> Gathered {
-    return Gathered(vec3f(0.0), trace_opacity(apex, lobe, reach, 0.0), 0.0, vec3f(0.0));
+    return Gathered(vec3f(0.0), trace_opacity(apex, lobe, reach, 0.0), 0.0, vec3f(0.0), false);
 }
 ";
 
