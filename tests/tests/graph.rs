@@ -144,7 +144,7 @@ fn a_second_grid_is_what_it_is_alone() {
     let second = "(run: \"voxelize\", writes: [\"voxels\"]),
         (run: \"voxelize\", name: \"fine\", writes: [\"fine\"], params: (resolution: 64)),
         (run: \"light\", name: \"fine_light\", reads: [\"fine\", \"shadow_maps\"], writes: [\"fine_radiance\"],
-         params: (occlusion: \"shadow_map\", emission: \"area_lights\", bias: 1.5, parts: 4)),
+         params: (occlusion: \"shadow_map\", emission: \"area_lights\", bias: 1.5, parts: 2)),
         (run: \"filter\", name: \"fine_filter\", reads: [\"fine\", \"fine_radiance\"], writes: [\"fine_volume\"]),";
     let diffuse = "reads: [\"surface\", \"volume\"],\n            writes: [\"diffuse\"]";
     let from_fine = "reads: [\"surface\", \"fine_volume\"],\n            writes: [\"diffuse\"]";
