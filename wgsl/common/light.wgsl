@@ -57,6 +57,11 @@ struct Incidence {
     irradiance: vec3f,
 }
 
+// An area light's normal on the side that is seen along a direction: the observer may be behind a light of two sides.
+fn facing_normal(light: Light, direction: vec3f) -> vec3f {
+    return select(-light.direction, light.direction, dot(light.direction, direction) < 0.0);
+}
+
 fn area_corners(light: Light) -> array<vec3f, 4> {
     return array(light.corners[0].xyz, light.corners[1].xyz, light.corners[2].xyz, light.corners[3].xyz);
 }

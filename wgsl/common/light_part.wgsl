@@ -1,9 +1,8 @@
 // A part of a light as seen from a point.
 
 import package::common::basis::basis_around;
+import package::common::constants::GOLDEN_ANGLE;
 import package::common::light::{Incidence, Light, area_corners, area_part, HAS_AREA, LIGHT_AREA};
-
-const GOLDEN_ANGLE = 2.39996323;
 
 // Point (u, v) of a quad, both in [0, 1].
 fn quad_point(c: array<vec3f, 4>, u: f32, v: f32) -> vec3f {

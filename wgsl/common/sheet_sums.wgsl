@@ -1,15 +1,13 @@
 // What triangles add up for a voxel's sheets: integers and bits, the same whatever the order.
 
 import package::common::grid::grid;
-import package::common::sheet::{ALL_SQUARES, SQUARES, TWO_SIDED};
+import package::common::sheet::{ALL_SQUARES, AXIS_STRIDE, SHEET_STRIDE, SQUARES, TWO_SIDED};
 import package::common::triangle_box::swizzle;
 
 // For each axis of a voxel: weights of fronts towards + and −, their heights, two slopes, the bits, and what the fronts reflect. As
 // pass/sheets.wgsl reads them.
 var<storage, read_write> sheet_sums: array<atomic<u32>>;
 
-const AXIS_STRIDE = 13u;
-const SHEET_STRIDE = 3u * AXIS_STRIDE;
 
 // How far inside a triangle's edge from a to b a square lies with all of it; negative where some of it is outside. `facing`
 // is positive where the corners turn from x to y.

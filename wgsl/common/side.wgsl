@@ -2,15 +2,12 @@
 
 import package::common::attributes::VoxelSurface;
 import package::common::conflict::{CONFLICT, CONFLICT_SUM};
-import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, middle_of, sheet_normal, unpack_sheet, unpack_side_reflectance};
+import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, middle_of, sheet_normal, unpack_sheet, unpack_side_reflectance};
 import package::common::trace::{Apex, Share};
 
 // Of each voxel: as many sheets as it may have, those that are there first; then what each of its sides reflects, packed.
 var<storage, read> sheets: array<vec2u>;
 
-const SHEETS = 6u;
-const SIDES = 6u;
-const SHEET_ENTRIES = SHEETS + SIDES / 2;
 
 // Number 2k looks towards +k, number 2k + 1 towards −k.
 fn side_number(bits: u32, back: bool) -> u32 {

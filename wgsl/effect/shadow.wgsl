@@ -2,6 +2,7 @@
 // small sun are; of lights that are too wide for one what was traced. Layer k has lights 4k to 4k+3 in its channels.
 
 import package::common::basis::basis_around;
+import package::common::constants::GOLDEN_ANGLE;
 import package::common::environment::environment;
 import package::common::light::{LIGHT_DIRECTIONAL, LIGHT_POINT, Light, has_sharp_map, light_incidence, lights};
 import package::common::shadow_map::{cube_face, shadow_maps, shadow_matrices};
@@ -16,8 +17,6 @@ struct Params {
 var traced: texture_2d_array<f32>;
 override HAS_TRACED: bool = false;
 override HAS_SHADOW_MAPS: bool = true;
-
-const GOLDEN_ANGLE = 2.39996323;
 
 // A place as the map has it: across in [0, 1], and the depth.
 fn map_place(layer: i32, position: vec3f) -> vec3f {

@@ -4,7 +4,7 @@
 
 import package::common::environment::environment;
 import package::common::grid::{grid, to_voxel};
-import package::common::light::{Incidence, Light, light_incidence, lights, has_sharp_map, HAS_AREA, LIGHT_AREA};
+import package::common::light::{Incidence, Light, facing_normal, light_incidence, lights, has_sharp_map, HAS_AREA, LIGHT_AREA};
 import package::common::light_part::light_part;
 import package::common::surface::{Surface, surface_apex};
 import package::common::trace::{cone_lobe, reach_of, reach_up_to, turn_of};
@@ -28,9 +28,7 @@ fn traced_visibility(surface: Surface, light: Light, incidence: Incidence) -> f3
     }
     var reach = reach_of(incidence.distance / grid.voxel_size);
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        // The observer may be behind a light of two sides.
-        let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
-        reach = reach_up_to(to_voxel(light.position), facing);
+        reach = reach_up_to(to_voxel(light.position), facing_normal(light, incidence.direction));
     }
     let part = cone_lobe(incidence.direction, incidence.sine);
     return 1.0 - trace_opacity(surface_apex(surface), part, reach, 0.0);

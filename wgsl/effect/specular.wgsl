@@ -41,5 +41,6 @@ fn effect(surface: Surface, params: Params) -> vec4f {
             }
         }
     }
-    return select(vec4f(radiance, found.opacity), stands_alone(vec4f(radiance, found.opacity)), alone);
+    let value = vec4f(radiance, found.opacity);
+    return select(value, stands_alone(value), alone);
 }

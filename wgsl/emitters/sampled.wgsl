@@ -5,7 +5,7 @@
 import package::common::constants::GOLDEN;
 import package::common::environment::environment;
 import package::common::grid::{from_voxel, grid, to_voxel};
-import package::common::light::{Light, area_corners, light_incidence, lights};
+import package::common::light::{Light, area_corners, facing_normal, light_incidence, lights};
 import package::common::light_part::quad_point;
 import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
 import package::common::trace::{Apex, luminance};
@@ -48,8 +48,7 @@ fn sees(apex: Apex, light: Light, u: vec2f) -> bool {
     let origin = leave(apex);
     let point = to_voxel(quad_point(area_corners(light), u.x, u.y));
     let direction = normalize(point - origin.point);
-    let facing = select(light.direction, -light.direction, dot(light.direction, direction) > 0.0);
-    let goal = Tangent(point, facing);
+    let goal = Tangent(point, facing_normal(light, direction));
     if (dot(direction, apex.normal) <= 0.0 || is_of(apex.normal, dot(apex.normal, apex.position), goal)) {
         return false;
     }

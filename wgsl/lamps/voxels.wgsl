@@ -2,7 +2,7 @@
 
 import package::common::attributes::voxel_surface;
 import package::common::ray::RayHit;
-import package::common::side::SIDES;
+import package::common::sheet::SIDES;
 import package::common::trace::Lobe;
 
 const MEETS_LAMPS = true;

@@ -1,8 +1,8 @@
 // What a ray meets in an occupied cell: the sheets of the cell's surfaces, as far as they are there.
 
 import package::common::ray::{Passage, Ray, RayHit, is_of};
-import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet};
-import package::common::side::{SHEETS, SHEET_ENTRIES, SIDES, sheets, side_number};
+import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet, SHEETS, SHEET_ENTRIES, SIDES};
+import package::common::side::{sheets, side_number};
 
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;

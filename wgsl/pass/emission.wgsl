@@ -4,7 +4,7 @@
 import package::common::attributes::voxel_surface;
 import package::common::dispatch::dispatch_index;
 import package::common::radiance::pack_radiance;
-import package::common::side::SIDES;
+import package::common::sheet::SIDES;
 import package::common::voxels::level_cell;
 import package::emitters::SAMPLED;
 

@@ -55,7 +55,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     if (own.hit && APART) {
         // The pixel's own mean stands for those that are missing.
-        sum += f32(4 - found) * textureLoad(gathered, texel, id.z, 0);
+        sum += f32(4 - found) * value;
         found = 4;
     }
     textureStore(image, id.xy, id.z, sum / f32(max(found, 1)));

@@ -4,7 +4,7 @@ import package::common::attributes::voxel_surface;
 import package::common::constants::PI;
 import package::common::environment::environment;
 import package::common::grid::{cell_height, grid, from_voxel, to_voxel};
-import package::common::light::{Light, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
+import package::common::light::{Light, facing_normal, lights, light_incidence, Incidence, LIGHT_AREA, HAS_AREA};
 import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
@@ -40,9 +40,7 @@ fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
     var goal = Tangent(vec3f(0.0), vec3f(0.0));
     var reach = incidence.distance / grid.voxel_size;
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        // The voxel may be behind a light of two sides.
-        let facing = select(-light.direction, light.direction, dot(light.direction, incidence.direction) < 0.0);
-        goal = Tangent(to_voxel(light.position), facing);
+        goal = Tangent(to_voxel(light.position), facing_normal(light, incidence.direction));
         // A surface in the light's own voxels lies beside it, not before it.
         if (is_of(apex.normal, dot(apex.normal, apex.position), goal)) {
             return 0.0;

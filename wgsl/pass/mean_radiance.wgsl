@@ -1,9 +1,9 @@
 // One radiance for each voxel from those of its sides, as storage formats take it.
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{ALL_SQUARES, HAS_BACK, MORE, sheet_normal, unpack_sheet};
+import package::common::sheet::{ALL_SQUARES, HAS_BACK, MORE, sheet_normal, unpack_sheet, SHEETS, SHEET_ENTRIES, SIDES};
 import package::common::radiance::unpack_radiance;
-import package::common::side::{SHEETS, SHEET_ENTRIES, SIDES, sheets, side_number};
+import package::common::side::{sheets, side_number};
 import package::common::voxels::level_cell;
 
 var<storage, read> side_radiance: array<u32>;

@@ -1,7 +1,7 @@
 // Each voxel's sheets from what its triangles added up, packed (see common/sheet.wgsl).
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{HAS_BACK, LOW, MORE, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
+import package::common::sheet::{AXIS_STRIDE, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SHEET_STRIDE, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
 import package::common::voxels::level_cell;
 
 // As common/sheet_sums.wgsl adds them up.
@@ -9,10 +9,6 @@ var<storage, read> sheet_sums: array<u32>;
 // As many of each voxel as it may have: see common/side.wgsl.
 var<storage, read_write> sheets: array<vec2u>;
 
-const AXIS_STRIDE = 13u;
-const SHEET_STRIDE = 3u * AXIS_STRIDE;
-const SHEETS = 6u;
-const SHEET_ENTRIES = 9u;
 
 fn sum_at(index: u32) -> f32 {
     return f32(sheet_sums[index]);

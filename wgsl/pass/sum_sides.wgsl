@@ -2,7 +2,7 @@
 
 import package::common::dispatch::dispatch_index;
 import package::common::radiance::{pack_radiance, unpack_radiance};
-import package::common::side::SIDES;
+import package::common::sheet::SIDES;
 import package::common::voxels::level_cell;
 
 var<storage, read> direct: array<u32>;
