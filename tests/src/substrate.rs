@@ -97,7 +97,7 @@ impl Substrate {
             cells: held("cells", listed),
             levels: levels.collect(),
             attributes: held("attributes", voxels),
-            sheets: [held("sheet_sums", voxels), held("sheets", voxels)],
+            sheets: [held("fronts", voxels), held("sheets", voxels)],
         }
     }
 

@@ -2,9 +2,6 @@
 // with its front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
 // slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of it is there.
 
-// Words that triangles add up for each axis of a voxel, and for all: see common/sheet_sums.wgsl.
-const AXIS_STRIDE = 13u;
-const SHEET_STRIDE = 3u * AXIS_STRIDE;
 // Of each voxel: as many sheets as it may have, and as many sides, whose reflectances follow, two in an entry.
 const SHEETS = 6u;
 const SIDES = 6u;

@@ -1,17 +1,68 @@
-// Each voxel's sheets from what its triangles added up, packed (see common/sheet.wgsl).
+// Each voxel's sheets from the triangles that its sides show, packed (see common/sheet.wgsl).
 
+import package::common::bands::triangle_voxel;
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{AXIS_STRIDE, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SHEET_STRIDE, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
+import package::common::fragment::{corners_of, fragment_at};
+import package::common::front::{COVERS, FRONTS, axis_squares, facet, front_triangle, side_fronts};
+import package::common::material::{base_color, materials, roughness_metallic};
+import package::common::reflectance::total_reflectance;
+import package::common::sheet::{HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
 import package::common::voxels::level_cell;
 
-// As common/sheet_sums.wgsl adds them up.
-var<storage, read> sheet_sums: array<u32>;
+// As common/fronts.wgsl leaves them.
+var<storage, read> fronts: array<u32>;
 // As many of each voxel as it may have: see common/side.wgsl.
 var<storage, read_write> sheets: array<vec2u>;
 
 
-fn sum_at(index: u32) -> f32 {
-    return f32(sheet_sums[index]);
+struct Shown {
+    height: f32,
+    slope: vec2f,
+    reflectance: vec3f,
+}
+
+// What a triangle shows of itself in a voxel.
+fn shown(triangle: u32, axis: u32, cell: vec3u) -> Shown {
+    let corners = corners_of(triangle, triangle_voxel(triangle));
+    let plane = facet(corners.v, axis, cell);
+    let f = fragment_at(corners, vec3f(cell) + 0.5);
+    let material = materials[corners.material];
+    let shine = roughness_metallic(material, f.uv, f.lod);
+    let color = base_color(material, f.uv, f.lod).rgb;
+    return Shown(clamp(plane.height, -1.5, 1.5), plane.slope, saturate(total_reflectance(color, shine.y, shine.x)));
+}
+
+// Whether a side shows anything, and if so the mean of what it shows at its points.
+fn side_shown(slot: u32, side: u32, cell: vec3u, mean: ptr<function, Shown>) -> bool {
+    let first = side_fronts(slot, side);
+    var words: array<u32, FRONTS>;
+    var any_word = 0u;
+    for (var i = 0u; i < FRONTS; i++) {
+        words[i] = fronts[first + i];
+        any_word |= words[i];
+    }
+    if (any_word == 0) {
+        return false;
+    }
+    var last = 0u;
+    var one: Shown;
+    var sum: Shown;
+    var count = 0.0;
+    for (var i = 0u; i < FRONTS; i++) {
+        let word = words[i];
+        // What covers a point counts alone if there is any.
+        if (word == 0 || (word & COVERS) != (any_word & COVERS)) {
+            continue;
+        }
+        if (count == 0.0 || front_triangle(word) != last) {
+            last = front_triangle(word);
+            one = shown(last, side / 2, cell);
+        }
+        sum = Shown(sum.height + one.height, sum.slope + one.slope, sum.reflectance + one.reflectance);
+        count += 1.0;
+    }
+    *mean = Shown(sum.height / count, sum.slope / count, sum.reflectance / count);
+    return true;
 }
 
 @compute @workgroup_size(64)
@@ -21,39 +72,35 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (!level_cell(slot, 0, &cell)) {
         return;
     }
-    for (var i = SHEETS; i < SHEET_ENTRIES; i++) {
-        sheets[SHEET_ENTRIES * slot + i] = vec2u(0);
+    var found: array<bool, SIDES>;
+    var reflectances: array<u32, SIDES>;
+    var means: array<Shown, SIDES>;
+    for (var side = 0u; side < SIDES; side++) {
+        var mean: Shown;
+        found[side] = side_shown(slot, side, cell, &mean);
+        means[side] = mean;
+        reflectances[side] = pack_side_reflectance(mean.reflectance);
     }
     var count = 0u;
-    for (var i = 0u; i < SHEETS; i++) {
-        let first = slot * SHEET_STRIDE + AXIS_STRIDE * (i / 2);
-        let low = i & 1;
-        let weight = sum_at(first + low);
-        if (weight == 0.0) {
+    for (var side = 0u; side < SIDES; side++) {
+        if (!found[side]) {
             continue;
         }
-        let other = sum_at(first + 1 - low);
-        let height = 3.0 * sum_at(first + 2 + low) / weight - 1.5;
-        let slope = 2.0 * vec2f(sum_at(first + 4), sum_at(first + 5)) / (weight + other) - 1.0;
-        var bits = sheet_sums[first + 6] | THERE | select(0u, LOW, low == 1);
-        if ((bits & TWO_SIDED) != 0 && other == 0.0) {
+        var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1);
+        if ((bits & TWO_SIDED) != 0 && !found[side ^ 1]) {
             bits |= HAS_BACK;
-        }
-        let reflects = 7 + 3 * low;
-        let reflected = vec3f(sum_at(first + reflects), sum_at(first + reflects + 1), sum_at(first + reflects + 2));
-        let reflectance = pack_side_reflectance(reflected / weight);
-        let side = SHEET_ENTRIES * slot + SHEETS + i / 2;
-        sheets[side][low] = reflectance;
-        if ((bits & HAS_BACK) != 0) {
-            sheets[side][1 - low] = reflectance;
+            reflectances[side ^ 1] = reflectances[side];
         }
         if (count > 0) {
             sheets[SHEET_ENTRIES * slot + count - 1].y |= MORE;
         }
-        sheets[SHEET_ENTRIES * slot + count] = pack_sheet(Sheet(height, slope, i / 2, bits));
+        sheets[SHEET_ENTRIES * slot + count] = pack_sheet(Sheet(means[side].height, means[side].slope, side / 2, bits));
         count++;
     }
     for (; count < SHEETS; count++) {
         sheets[SHEET_ENTRIES * slot + count] = vec2u(0);
+    }
+    for (var i = 0u; i < SIDES / 2; i++) {
+        sheets[SHEET_ENTRIES * slot + SHEETS + i] = vec2u(reflectances[2 * i], reflectances[2 * i + 1]);
     }
 }

@@ -1,12 +1,13 @@
-// What is done with each voxel that a triangle overlaps: the triangle's reflectance, normal, emission and plane are added to
-// the voxel's slot. Sums are fixed-point integers: the same bits whatever the order.
+// What is done with each voxel that a triangle overlaps: the triangle's reflectance, normal and emission are added to the voxel's
+// slot, and the triangle is left where it is in front. Sums are fixed-point integers: the same bits whatever the order.
 
 import package::common::clipped_area::clipped_area;
 import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average_reflectance, pack_reflectance};
 import package::common::grid::grid;
+import package::common::fronts::add_front;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
+import package::common::mesh::triangle_range;
 import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
-import package::common::sheet_sums::add_sheet;
 import package::common::reflectance::total_reflectance;
 import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
@@ -18,6 +19,8 @@ override HAS_COVERAGE: bool = false;
 
 struct Visitor {
     axis: u32,
+    // Of all triangles.
+    triangle: u32,
     corners: Corners,
     material: Material,
     // A triangle weighs as much as it can show of itself within one voxel, in voxel faces.
@@ -27,7 +30,7 @@ struct Visitor {
 fn visitor(triangle: u32, v: array<vec3f, 3>, axis: u32) -> Visitor {
     let area = 0.5 * length(cross(v[1] - v[0], v[2] - v[0]));
     let corners = corners_of(triangle, v);
-    return Visitor(axis, corners, materials[corners.material], clamp(area, 1.0 / 1024.0, 1.0));
+    return Visitor(axis, triangle_range.first + triangle, corners, materials[corners.material], clamp(area, 1.0 / 1024.0, 1.0));
 }
 
 fn add(word: u32, value: f32) {
@@ -75,7 +78,9 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     let shine = roughness_metallic(material, f.uv, f.lod);
     let slot = voxel_slot(cell);
     let reflectance = saturate(total_reflectance(color.rgb, shine.y, shine.x));
-    add_sheet(visitor.corners.v, visitor.axis, visitor.weight, material.double_sided != 0, reflectance, cell, slot);
+    let v = visitor.corners.v;
+    let nearest = f.weights.x * v[0] + f.weights.y * v[1] + f.weights.z * v[2];
+    add_front(v, visitor.axis, material.double_sided != 0, nearest, visitor.triangle, cell, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));

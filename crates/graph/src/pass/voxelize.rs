@@ -23,8 +23,8 @@ const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 /// Words of the bitmask that a thread of wgsl/pass/list.wgsl looks at.
 const LISTED_WORDS: u32 = 16;
 
-/// Words that triangles add up for a voxel's planes: see wgsl/pass/sheets.wgsl.
-const SHEET_STRIDE: u32 = 3 * 13;
+/// Words of the triangles that a voxel's sides show: see wgsl/common/front.wgsl.
+const FRONT_STRIDE: u32 = 6 * 4 + 3;
 
 /// Bytes of a voxel's sheets, and of what its sides reflect: see wgsl/common/side.wgsl.
 pub(crate) const SHEET_BYTES: u64 = (6 + 3) * 8;
@@ -172,8 +172,8 @@ struct Voxels {
     occupancy: usize,
     ranks: usize,
     attributes: usize,
-    /// What triangles add up for the sheets of a voxel's surfaces.
-    sheet_sums: usize,
+    /// Which triangles a voxel's sides show.
+    fronts: usize,
     /// Words of a voxel's attributes.
     stride: u32,
     /// Words of the bitmask of all levels.
@@ -202,14 +202,15 @@ impl Voxels {
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
         part("cells", ResourceKind::PerCell(4));
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
-        let sheet_sums = part("sheet_sums", ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4));
+        let fronts = part("fronts", ResourceKind::PerVoxel(u64::from(FRONT_STRIDE) * 4));
         part("sheets", ResourceKind::PerVoxel(SHEET_BYTES));
         bundle.with("ATTRIBUTE_STRIDE", f64::from(stride));
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
+        bundle.with("TRIANGLE_BITS", f64::from(triangle_bits(triangles)));
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
         pass.counts_cells(levels);
-        Voxels { occupancy, ranks, attributes, sheet_sums, stride, all, columns }
+        Voxels { occupancy, ranks, attributes, fronts, stride, all, columns }
     }
 
     fn steps(&self, pass: &mut Expansion<'_, '_>, method: Method) {
@@ -257,12 +258,14 @@ impl Voxels {
             }
         }
         visit(pass, &part, "visitor/attributes", false);
-        pass.run("pass/sheets").over(Over::Cells(0));
+        pass.run("pass/sheets")
+            .reads("triangle_range", triangle_range(&(0..triangles), 0))
+            .over(Over::Cells(0));
     }
 
-    /// What triangles add up for each voxel, with the words of each.
+    /// What triangles leave in each voxel, with the words of each.
     fn sums(&self) -> [(usize, u32); 2] {
-        [(self.attributes, self.stride), (self.sheet_sums, SHEET_STRIDE)]
+        [(self.attributes, self.stride), (self.fronts, FRONT_STRIDE)]
     }
 
     /// Voxelizes what never moves by itself, once (DVS §1.2). Sums are integers: adding what moves to these gives the
@@ -274,13 +277,13 @@ impl Voxels {
         // At most as many voxels as there are in all.
         let kind = ResourceKind::PerVoxel(u64::from(self.stride) * 4);
         let attributes = pass.part("voxels", "static_attributes", kind);
-        let kind = ResourceKind::PerVoxel(u64::from(SHEET_STRIDE) * 4);
-        let sheet_sums = pass.part("voxels", "static_sheet_sums", kind);
+        let kind = ResourceKind::PerVoxel(u64::from(FRONT_STRIDE) * 4);
+        let fronts = pass.part("voxels", "static_fronts", kind);
         let fixed = Voxels {
             occupancy,
             ranks,
             attributes,
-            sheet_sums,
+            fronts,
             stride: self.stride,
             all: finest,
             columns: false,
@@ -289,7 +292,7 @@ impl Voxels {
             ("occupancy", occupancy),
             ("ranks", ranks),
             ("attributes", attributes),
-            ("sheet_sums", sheet_sums),
+            ("fronts", fronts),
         ];
         let targets = targets.map(|(name, resource)| (name.to_owned(), Target::Resource(resource))).to_vec();
         let still = pass.facts().triangles - pass.facts().moving_triangles;
@@ -423,6 +426,11 @@ fn triangle_range(triangles: &Range<u32>, item_first: u32) -> Target {
 /// So few bands of a triangle that those of all triangles can be counted in 32 bits.
 fn most_bands(triangles: u32) -> u32 {
     (u32::MAX / triangles.max(1)).clamp(1, MOST_BANDS)
+}
+
+/// Bits of a triangle's number: so many that all have one, and so few that heights are packed in an `f32`'s precision.
+fn triangle_bits(triangles: u32) -> u32 {
+    (u32::BITS - triangles.leading_zeros()).max(8)
 }
 
 /// Exclusive prefix sum over so many values in place, or of the bitmask's words.
