@@ -68,11 +68,15 @@ fn sheet_normal(sheet: Sheet) -> vec3f {
     }
 }
 
-// The bit of the square that a point of the voxel lies in, seen along the axis; beyond the voxel the nearest one's.
-fn square_at(q: vec3f, axis: u32) -> u32 {
-    let at = select(select(q.xy, q.zx, axis == 1), q.yz, axis == 0);
+// The bit of the square that a point of the voxel's face lies in; beyond the voxel the nearest one's.
+fn square_bit(at: vec2f) -> u32 {
     let square = vec2u(clamp((at + 0.5) * f32(SQUARES), vec2f(0.0), vec2f(f32(SQUARES) - 0.5)));
     return 1u << (square.y * SQUARES + square.x);
+}
+
+// The same of a point of the voxel, seen along the axis.
+fn square_at(q: vec3f, axis: u32) -> u32 {
+    return square_bit(select(select(q.xy, q.zx, axis == 1), q.yz, axis == 0));
 }
 
 // A point of the voxel by where it is seen along the axis, and how high it lies along it.

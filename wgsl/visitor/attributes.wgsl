@@ -4,11 +4,13 @@
 import package::common::clipped_area::clipped_area;
 import package::common::conflict::{CONFLICT, CONFLICT_MAX, CONFLICT_SUM, average_reflectance, pack_reflectance};
 import package::common::grid::grid;
+import package::common::front::facet;
 import package::common::fronts::add_front;
 import package::common::fragment::{Corners, corners_of, fragment_at, fragment_normal};
 import package::common::mesh::triangle_range;
-import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_ALPHA_MASK, HAS_EMISSION};
+import package::common::material::{Material, materials, base_color, emission, roughness_metallic, HAS_EMISSION};
 import package::common::reflectance::total_reflectance;
+import package::common::squares::remains;
 import package::common::triangle_box::unswizzle;
 import package::common::voxels::{is_occupied, voxel_slot};
 
@@ -70,17 +72,19 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     }
     let f = fragment_at(visitor.corners, vec3f(cell) + 0.5);
     let material = visitor.material;
-    let color = base_color(material, f.uv, f.lod);
-    if (HAS_ALPHA_MASK && material.alpha_cutoff > 0.0 && color.a < material.alpha_cutoff) {
+    let plane = facet(visitor.corners.v, visitor.axis, cell);
+    let remains = remains(plane, visitor.corners, f, material);
+    if (!remains.there) {
         return;
     }
+    let color = base_color(material, f.uv, f.lod);
     let weight = visitor.weight;
     let shine = roughness_metallic(material, f.uv, f.lod);
     let slot = voxel_slot(cell);
     let reflectance = saturate(total_reflectance(color.rgb, shine.y, shine.x));
     let v = visitor.corners.v;
-    let nearest = f.weights.x * v[0] + f.weights.y * v[1] + f.weights.z * v[2];
-    add_front(v, visitor.axis, material.double_sided != 0, nearest, visitor.triangle, cell, slot);
+    let nearest = f.weights.x * v[0] + f.weights.y * v[1] + f.weights.z * v[2] - vec3f(cell) - 0.5;
+    add_front(plane, visitor.axis, remains.squares, material.double_sided != 0, nearest, visitor.triangle, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
@@ -96,7 +100,7 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
         add_vector(first + 11, clamp(relative, vec3f(0.0), vec3f(1.0)) * weight);
     }
     if (HAS_COVERAGE) {
-        add(first + ATTRIBUTE_STRIDE - 1, clipped_area(visitor.corners.v, cell));
+        add(first + ATTRIBUTE_STRIDE - 1, remains.share * clipped_area(visitor.corners.v, cell));
     }
 }
 

@@ -1,8 +1,10 @@
 // What is done with each voxel that a triangle overlaps: its bit is set.
 
 import package::common::fragment::{Corners, corners_of, fragment_at};
+import package::common::front::facet;
 import package::common::grid::{BRICK_SHIFT, BRICK_BITS, brick_strides};
-import package::common::material::{Material, materials, base_color, HAS_ALPHA_MASK};
+import package::common::material::{Material, materials, HAS_ALPHA_MASK};
+import package::common::squares::remains;
 import package::common::triangle_box::{swizzle_cell, unswizzle};
 
 var<storage, read_write> occupancy: array<atomic<u32>>;
@@ -46,8 +48,10 @@ fn visit(visitor: ptr<function, Visitor>, cell: vec3i, top: i32) -> i32 {
     var last = min(top, cell.z | i32(side.z));
     if (HAS_ALPHA_MASK) {
         last = cell.z;
-        let f = fragment_at((*visitor).corners, vec3f(unswizzle(vec3u(cell), (*visitor).axis)) + 0.5);
-        if (base_color((*visitor).material, f.uv, f.lod).a < (*visitor).material.alpha_cutoff) {
+        let of_grid = unswizzle(vec3u(cell), (*visitor).axis);
+        let nearest = fragment_at((*visitor).corners, vec3f(of_grid) + 0.5);
+        let plane = facet((*visitor).corners.v, (*visitor).axis, of_grid);
+        if (!remains(plane, (*visitor).corners, nearest, (*visitor).material).there) {
             return cell.z + 1;
         }
     }

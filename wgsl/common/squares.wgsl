@@ -1,0 +1,82 @@
+// Which squares of a voxel's face a triangle covers, seen along the axis that its normal is nearest to.
+
+import package::common::fragment::{Corners, Fragment};
+import package::common::front::Facet;
+import package::common::material::{HAS_ALPHA_MASK, Material, base_color};
+import package::common::sheet::{ALL_SQUARES, SQUARES};
+
+// How far inside a triangle's edge from a to b a square lies with all of it, times the edge's length; negative where some of it is
+// outside. `facing` is positive where the corners turn from x to y.
+fn inside_edge(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> f32 {
+    let along = b - a;
+    let at = sign(facing) * (along.x * (centre.y - a.y) - along.y * (centre.x - a.x));
+    return at - half_side * (abs(along.x) + abs(along.y));
+}
+
+fn is_inside(f: Facet, centre: vec2f, half_side: f32) -> bool {
+    return inside_edge(f.corners[0], f.corners[1], f.facing, centre, half_side) >= 0.0
+        && inside_edge(f.corners[1], f.corners[2], f.facing, centre, half_side) >= 0.0
+        && inside_edge(f.corners[2], f.corners[0], f.facing, centre, half_side) >= 0.0;
+}
+
+fn square_middle(index: u32) -> vec2f {
+    return (vec2f(vec2u(index % SQUARES, index / SQUARES)) + 0.5) / f32(SQUARES) - 0.5;
+}
+
+// The squares whose middles a triangle covers, and those below.
+fn covered_squares(f: Facet) -> u32 {
+    if (is_inside(f, vec2f(0.0), 0.5)) {
+        return ALL_SQUARES;
+    }
+    var covered = 0u;
+    for (var i = 0u; i < SQUARES * SQUARES; i++) {
+        covered |= select(0u, 1u << i, is_inside(f, square_middle(i), 0.0));
+    }
+    return covered;
+}
+
+// What a triangle has left of itself in a voxel.
+struct Remains {
+    // False: its alpha mask has cut it all off.
+    there: bool,
+    squares: u32,
+    // Of the squares that it would cover without a mask.
+    share: f32,
+}
+
+// Levels between a texel as large as a voxel and one as large as a square.
+const SQUARE_LEVELS = 2.0;
+
+// The mean alpha from which a square counts as covered where texels are finer than squares: each square has another, so that as many
+// are covered as the mask leaves.
+fn mask_threshold(index: u32) -> f32 {
+    let x = index % SQUARES;
+    let y = index / SQUARES;
+    return (f32((x + 2 * y) % SQUARES * SQUARES + (x + 3 * y) % SQUARES) + 0.5) / f32(SQUARES * SQUARES);
+}
+
+// `nearest` is what the triangle shows at its point nearest the voxel's middle.
+fn remains(f: Facet, corners: Corners, nearest: Fragment, material: Material) -> Remains {
+    let covered = covered_squares(f);
+    if (!HAS_ALPHA_MASK || material.alpha_cutoff <= 0.0) {
+        return Remains(true, covered, 1.0);
+    }
+    if (covered == 0) {
+        return Remains(base_color(material, nearest.uv, nearest.lod).a >= material.alpha_cutoff, 0, 1.0);
+    }
+    let lod = max(corners.lod - SQUARE_LEVELS, 0.0);
+    var left = 0u;
+    for (var i = 0u; i < SQUARES * SQUARES; i++) {
+        if (((covered >> i) & 1) != 0) {
+            let p = square_middle(i);
+            let a = f.corners[0] - p;
+            let b = f.corners[1] - p;
+            let c = f.corners[2] - p;
+            let w = vec3f(b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x) / f.facing;
+            let alpha = base_color(material, w.x * corners.uv[0] + w.y * corners.uv[1] + w.z * corners.uv[2], lod).a;
+            let threshold = select(material.alpha_cutoff, mask_threshold(i), lod > 0.0);
+            left |= select(0u, 1u << i, alpha >= threshold);
+        }
+    }
+    return Remains(left != 0, left, f32(countOneBits(left)) / f32(countOneBits(covered)));
+}
