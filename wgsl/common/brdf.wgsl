@@ -3,11 +3,8 @@
 
 import package::common::constants::PI;
 import package::common::range::unit_or;
-import package::common::reflectance::{DIELECTRIC_F0, specular_f0, diffuse_albedo};
+import package::common::reflectance::{DIELECTRIC_F0, LEAST_ALPHA, diffuse_albedo, powers, specular_f0, steepness};
 import package::common::surface::Surface;
-
-// Of a mirror's lobe.
-const LEAST_ALPHA = 1e-3;
 
 fn fresnel(f0: vec3f, cosine: f32) -> vec3f {
     return f0 + (1.0 - f0) * pow(1.0 - saturate(cosine), 5.0);
@@ -50,17 +47,6 @@ fn brdf(surface: Surface, light: vec3f) -> vec3f {
     return diffuse_brdf(surface, light) + f * d * v;
 }
 
-// 1, x, x², x³.
-fn powers(x: f32) -> vec4f {
-    return vec4f(1.0, x, x * x, x * x * x);
-}
-
-// How near to grazing a view is for a surface as rough as this: 0 along it, towards 1 above it.
-fn steepness(n_v: f32, roughness: f32) -> f32 {
-    let alpha = max(roughness * roughness, LEAST_ALPHA);
-    return n_v * inverseSqrt(n_v * n_v + alpha * alpha);
-}
-
 // Share of the mirror directions about visible normals that lie above the surface: a fit to the integral over all roughness from
 // 0.03 and all views, within 0.005.
 fn share_above(n_v: f32, roughness: f32) -> f32 {
@@ -71,30 +57,4 @@ fn share_above(n_v: f32, roughness: f32) -> f32 {
         + t.y * dot(r, vec4f(0.6841, -2.8768, 5.0447, -3.8439))
         + t.z * dot(r, vec4f(-1.4157, 4.7514, -7.9897, 5.4810))
         + t.w * dot(r, vec4f(0.8383, -2.4619, 4.3153, -3.3126)));
-}
-
-// Reflectance of the GGX lobe under constant light: ∫ f cosθ dω for f as in `brdf`, its two parts as fits to the integral over all
-// roughness from 0.03 and all views, within 0.01. Straight above a surface of roughness 1 the first is 1 − ln 2.
-fn lobe_reflectance(surface: Surface) -> vec3f {
-    let n_v = saturate(dot(surface.normal, surface.view));
-    let r = powers(surface.roughness);
-    let t = powers(steepness(n_v, surface.roughness));
-    // Of a mirror without colour.
-    let whole = saturate(
-        t.x * dot(r, vec4f(1.0981, -0.2286, 0.1926, -0.0929))
-        + t.y * dot(r, vec4f(-1.0032, 0.0035, 2.9316, -4.3919))
-        + t.z * dot(r, vec4f(1.7784, 8.2913, -23.9584, 18.6390))
-        + t.w * dot(r, vec4f(-1.9962, -14.8303, 35.8378, -23.8094))
-        + t.w * t.y * dot(r, vec4f(1.1334, 6.5101, -13.8626, 7.7781)));
-    // Mean of Schlick's (1 − cosθ)⁵ over the lobe: as much of what F₀ leaves is reflected.
-    let grazing = saturate(
-        t.x * dot(r, vec4f(4.8270, -9.4036, 7.6288, -2.7360))
-        + t.y * dot(r, vec4f(-10.6859, 24.9969, -26.7512, 11.4502))
-        + t.z * dot(r, vec4f(5.8578, -15.5096, 18.8293, -8.3976))
-        + pow(1.0 - n_v, 5.0)
-            * (t.x * dot(r, vec4f(-3.6074, 5.5188, -3.0798, 0.8897))
-                + t.y * dot(r, vec4f(10.5116, -22.8652, 8.2076, 3.8920))
-                + t.z * dot(r, vec4f(-5.8857, 16.7940, -4.0418, -8.8963))));
-    let f0 = specular_f0(surface.base_color, surface.metallic);
-    return whole * (f0 + (1.0 - f0) * grazing);
 }

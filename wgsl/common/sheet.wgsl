@@ -2,7 +2,7 @@
 // with its front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
 // slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of it is there.
 
-// Of each voxel: as many sheets as it may have, and as many sides, whose reflectances follow, two in an entry.
+// Of each voxel: as many sheets as it may have, and as many sides, whose materials follow, two in an entry.
 const SHEETS = 6u;
 const SIDES = 6u;
 const SHEET_ENTRIES = SHEETS + SIDES / 2;
@@ -48,14 +48,27 @@ fn unpack_sheet(words: vec2u) -> Sheet {
     return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y);
 }
 
-// Each component in [0, 1], to 1/2047 at most.
-fn pack_side_reflectance(reflectance: vec3f) -> u32 {
-    let units = vec3u(round(saturate(reflectance) * vec3f(2047.0, 2047.0, 1023.0)));
-    return units.x | (units.y << 11) | (units.z << 22);
+// What a side reflects, by glTF's words, all in [0, 1].
+struct SideMaterial {
+    // Kept to 1/500 of its square root.
+    base_color: vec3f,
+    // To 1/30.
+    roughness: f32,
+    // To 1/6.
+    metallic: f32,
 }
 
-fn unpack_side_reflectance(word: u32) -> vec3f {
-    return vec3f(vec3u(word & 2047, (word >> 11) & 2047, word >> 22)) / vec3f(2047.0, 2047.0, 1023.0);
+const COLOR_UNITS = vec3f(511.0, 511.0, 255.0);
+
+fn pack_side_material(material: SideMaterial) -> u32 {
+    let color = vec3u(round(sqrt(saturate(material.base_color)) * COLOR_UNITS));
+    let shine = vec2u(round(saturate(vec2f(material.roughness, material.metallic)) * vec2f(15.0, 3.0)));
+    return color.x | (color.y << 9) | (color.z << 18) | (shine.x << 26) | (shine.y << 30);
+}
+
+fn unpack_side_material(word: u32) -> SideMaterial {
+    let root = vec3f(vec3u(word & 511, (word >> 9) & 511, (word >> 18) & 255)) / COLOR_UNITS;
+    return SideMaterial(root * root, f32((word >> 26) & 15) / 15.0, f32(word >> 30) / 3.0);
 }
 
 // Not unit: 1 along the axis.

@@ -2,10 +2,11 @@
 
 import package::common::attributes::VoxelSurface;
 import package::common::conflict::{CONFLICT, CONFLICT_SUM};
-import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, middle_of, sheet_normal, unpack_sheet, unpack_side_reflectance};
+import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, SideMaterial, middle_of, sheet_normal, unpack_sheet, unpack_side_material};
+import package::common::reflectance::{reflectance_from, total_reflectance};
 import package::common::trace::{Apex, Share};
 
-// Of each voxel: as many sheets as it may have, those that are there first; then what each of its sides reflects, packed.
+// Of each voxel: as many sheets as it may have, those that are there first; then the material of each of its sides, packed.
 var<storage, read> sheets: array<vec2u>;
 
 
@@ -19,7 +20,20 @@ struct Side {
     // In all voxels' sides.
     index: u32,
     apex: Apex,
+    // Of even light.
     reflectance: vec3f,
+    // Whether the material is known; else what it reflects is the same from all directions.
+    has_material: bool,
+    material: SideMaterial,
+}
+
+// What a side reflects of light from one direction, to all sides together.
+fn side_reflectance(side: Side, direction: vec3f) -> vec3f {
+    if (!side.has_material) {
+        return side.reflectance;
+    }
+    let m = side.material;
+    return saturate(reflectance_from(m.base_color, m.metallic, m.roughness, dot(direction, side.apex.normal)));
 }
 
 // Goes to the next side that a voxel shows; `at` begins with 0. False after the last.
@@ -31,7 +45,7 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     if (step == 0 && words.y == 0) {
         // Too little of a surface for a sheet: one side along the mean normal.
         *at = 2 * SHEETS;
-        *side = Side(SIDES * slot, Apex(centre, surface.normal, share), surface.albedo);
+        *side = Side(SIDES * slot, Apex(centre, surface.normal, share), surface.albedo, false, SideMaterial());
         return any(surface.normal != vec3f(0.0));
     }
     if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
@@ -46,10 +60,12 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     let sheet = unpack_sheet(words);
     let number = side_number(words.y, back);
     let up = normalize(sheet_normal(sheet));
+    let apex = Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share);
+    let material = unpack_side_material(sheets[SHEET_ENTRIES * slot + SHEETS + number / 2][number & 1]);
     var reflectance = surface.albedo;
     if (CONFLICT == CONFLICT_SUM) {
-        reflectance = unpack_side_reflectance(sheets[SHEET_ENTRIES * slot + SHEETS + number / 2][number & 1]);
+        reflectance = saturate(total_reflectance(material.base_color, material.metallic, material.roughness));
     }
-    *side = Side(SIDES * slot + number, Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share), reflectance);
+    *side = Side(SIDES * slot + number, apex, reflectance, CONFLICT == CONFLICT_SUM, material);
     return true;
 }

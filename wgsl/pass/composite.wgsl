@@ -1,12 +1,12 @@
 // The whole image from its parts (RAU eq. 7.3): emission + direct light × shadow + diffuse + specular.
 
-import package::common::brdf::{brdf, diffuse_brdf, lobe_reflectance};
+import package::common::brdf::{brdf, diffuse_brdf};
 import package::common::constants::PI;
 import package::common::camera::camera;
 import package::common::environment::environment;
 import package::common::light::{HAS_AREA, LIGHT_AREA, lights, light_incidence};
 import package::common::range::in_half_range;
-import package::common::reflectance::{DIELECTRIC_F0, diffuse_albedo};
+import package::common::reflectance::{DIELECTRIC_F0, diffuse_albedo, lobe_reflectance, specular_f0};
 import package::common::surface::{Surface, image_texel, surface_load};
 
 struct Params {
@@ -62,7 +62,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         open = 1.0 + params.ao_weight * (textureLoad(ao, image_texel(pixel, textureDimensions(ao)), 0, 0).r - 1.0);
     }
     let arriving = textureLoad(diffuse, image_texel(pixel, textureDimensions(diffuse)), 0, 0).rgb / PI * open;
-    let lobe = lobe_reflectance(surface);
+    let lobe = lobe_reflectance(specular_f0(surface.base_color, surface.metallic), surface.roughness, saturate(dot(surface.normal, surface.view)));
     // Without a specular gather every lobe is wide: the cosine-weighted mean stands for it.
     var mirrored = arriving;
     if (HAS_SPECULAR) {

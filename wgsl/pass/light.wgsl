@@ -9,7 +9,7 @@ import package::common::light_part::light_part;
 import package::common::shadow_map::shadow_map_visibility;
 import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
 import package::common::radiance::pack_radiance;
-import package::common::side::{Side, next_side};
+import package::common::side::{Side, next_side, side_reflectance};
 import package::common::trace::{Apex, turn_of};
 import package::common::voxels::level_cell;
 import package::common::dispatch::dispatch_index;
@@ -50,7 +50,9 @@ fn visibility(light: Light, incidence: Incidence, apex: Apex) -> f32 {
     return select(1.0, 0.0, first_hit(Ray(origin.point, incidence.direction, reach, origin, goal)).found);
 }
 
-fn irradiance(apex: Apex) -> vec3f {
+// Radiosity over π of what lights send.
+fn reflected(side: Side) -> vec3f {
+    let apex = side.apex;
     let position = from_voxel(apex.position);
     var sum = vec3f(0.0);
     for (var i = 0u; i < environment.light_count; i++) {
@@ -60,9 +62,9 @@ fn irradiance(apex: Apex) -> vec3f {
             continue;
         }
         let part = light_part(light, whole, params.parts, turn_of(apex.share), position, apex.normal);
-        sum += whole.irradiance * visibility(light, part, apex);
+        sum += side_reflectance(side, whole.direction) * whole.irradiance * visibility(light, part, apex);
     }
-    return sum + emitters_irradiance(apex, apex.normal, params.lamps);
+    return (sum + side.reflectance * emitters_irradiance(apex, apex.normal, params.lamps)) / PI;
 }
 
 @compute @workgroup_size(64)
@@ -79,6 +81,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     var at = 0u;
     var side: Side;
     while (next_side(cell, slot, surface, share, &at, &side)) {
-        direct[side.index] = pack_radiance(emission + side.reflectance / PI * irradiance(side.apex));
+        direct[side.index] = pack_radiance(emission + reflected(side));
     }
 }

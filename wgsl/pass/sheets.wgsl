@@ -5,8 +5,7 @@ import package::common::dispatch::dispatch_index;
 import package::common::fragment::{corners_of, fragment_at};
 import package::common::front::{COVERS, FRONTS, axis_squares, facet, front_triangle, side_fronts};
 import package::common::material::{base_color, materials, roughness_metallic};
-import package::common::reflectance::total_reflectance;
-import package::common::sheet::{HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, THERE, TWO_SIDED, pack_sheet, pack_side_reflectance};
+import package::common::sheet::{HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
 import package::common::voxels::level_cell;
 
 // As common/fronts.wgsl leaves them.
@@ -18,7 +17,7 @@ var<storage, read_write> sheets: array<vec2u>;
 struct Shown {
     height: f32,
     slope: vec2f,
-    reflectance: vec3f,
+    material: SideMaterial,
 }
 
 // What a triangle shows of itself in a voxel.
@@ -29,7 +28,14 @@ fn shown(triangle: u32, axis: u32, cell: vec3u) -> Shown {
     let material = materials[corners.material];
     let shine = roughness_metallic(material, f.uv, f.lod);
     let color = base_color(material, f.uv, f.lod).rgb;
-    return Shown(clamp(plane.height, -1.5, 1.5), plane.slope, saturate(total_reflectance(color, shine.y, shine.x)));
+    return Shown(clamp(plane.height, -1.5, 1.5), plane.slope, SideMaterial(color, shine.x, shine.y));
+}
+
+fn mixed(a: Shown, b: Shown, t: f32) -> Shown {
+    let color = mix(a.material.base_color, b.material.base_color, t);
+    let roughness = mix(a.material.roughness, b.material.roughness, t);
+    let metallic = mix(a.material.metallic, b.material.metallic, t);
+    return Shown(mix(a.height, b.height, t), mix(a.slope, b.slope, t), SideMaterial(color, roughness, metallic));
 }
 
 // Whether a side shows anything, and if so the mean of what it shows at its points.
@@ -58,10 +64,10 @@ fn side_shown(slot: u32, side: u32, cell: vec3u, mean: ptr<function, Shown>) -> 
             last = front_triangle(word);
             one = shown(last, side / 2, cell);
         }
-        sum = Shown(sum.height + one.height, sum.slope + one.slope, sum.reflectance + one.reflectance);
+        sum = mixed(sum, one, 1.0 / (count + 1.0));
         count += 1.0;
     }
-    *mean = Shown(sum.height / count, sum.slope / count, sum.reflectance / count);
+    *mean = sum;
     return true;
 }
 
@@ -73,13 +79,13 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     var found: array<bool, SIDES>;
-    var reflectances: array<u32, SIDES>;
+    var materials_of: array<u32, SIDES>;
     var means: array<Shown, SIDES>;
     for (var side = 0u; side < SIDES; side++) {
         var mean: Shown;
         found[side] = side_shown(slot, side, cell, &mean);
         means[side] = mean;
-        reflectances[side] = pack_side_reflectance(mean.reflectance);
+        materials_of[side] = pack_side_material(mean.material);
     }
     var count = 0u;
     for (var side = 0u; side < SIDES; side++) {
@@ -89,7 +95,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1);
         if ((bits & TWO_SIDED) != 0 && !found[side ^ 1]) {
             bits |= HAS_BACK;
-            reflectances[side ^ 1] = reflectances[side];
+            materials_of[side ^ 1] = materials_of[side];
         }
         if (count > 0) {
             sheets[SHEET_ENTRIES * slot + count - 1].y |= MORE;
@@ -101,6 +107,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         sheets[SHEET_ENTRIES * slot + count] = vec2u(0);
     }
     for (var i = 0u; i < SIDES / 2; i++) {
-        sheets[SHEET_ENTRIES * slot + SHEETS + i] = vec2u(reflectances[2 * i], reflectances[2 * i + 1]);
+        sheets[SHEET_ENTRIES * slot + SHEETS + i] = vec2u(materials_of[2 * i], materials_of[2 * i + 1]);
     }
 }
