@@ -20,8 +20,8 @@ pub struct Substrate {
     pub levels: Vec<Run>,
     /// Fixed-point sums of each occupied voxel.
     pub attributes: Vec<u32>,
-    /// Fixed-point sums of each occupied voxel's sheets, and the sheets.
-    pub sheets: [Vec<u32>; 2],
+    /// Each occupied voxel's sheets and its sides' materials, of 18 words (`SHEET_ENTRIES` in wgsl/common/sheet.wgsl).
+    pub sheets: Vec<u32>,
 }
 
 /// One level's part of the list of cells.
@@ -97,7 +97,7 @@ impl Substrate {
             cells: held("cells", listed),
             levels: levels.collect(),
             attributes: held("attributes", voxels),
-            sheets: [held("fronts", voxels), held("sheets", voxels)],
+            sheets: held("sheets", voxels),
         }
     }
 
@@ -130,9 +130,20 @@ impl Substrate {
 
     /// The attribute sums of a voxel, if it is occupied.
     pub fn sums(&self, cell: UVec3) -> Option<&[u32]> {
+        self.voxels().nth(self.slot(cell)?)
+    }
+
+    /// Which of 5 × 5 squares of its face the first sheet of a voxel covers, a bit each, in rows; none if it isn't occupied.
+    pub fn squares(&self, cell: UVec3) -> u32 {
+        // A sheet's second word holds them.
+        let words = self.slot(cell).map_or(0, |slot| self.sheets[18 * slot + 1]);
+        words & 0x1ff_ffff
+    }
+
+    fn slot(&self, cell: UVec3) -> Option<usize> {
         let (word, bit) = self.place(cell, 0);
         let below = (self.occupancy[word] & ((1 << bit) - 1)).count_ones();
-        self.is_set(cell, 0).then(|| self.voxels().nth((self.ranks[word] + below) as usize))?
+        self.is_set(cell, 0).then_some((self.ranks[word] + below) as usize)
     }
 
     /// The attribute sums of each occupied voxel.

@@ -10,17 +10,27 @@ import package::common::triangle_box::swizzle;
 const FRONTS = 4u;
 const FRONT_STRIDE = SIDES * FRONTS + 3u;
 
-// The word of a triangle at a point: the larger, the further in front. From the top: whether the triangle covers the point, how
-// high it lies there towards the side's outside, its number. 0: no triangle.
+// The word of a triangle at a point that it covers: the larger, the further in front. From the top: COVERS, how high it lies there
+// towards the side's outside, its number. 0: no triangle.
 override TRIANGLE_BITS: u32 = 24;
 const COVERS = 0x80000000u;
 // Heights that are told apart, voxels. What covers a point lies in the voxel.
 const FRONT_RANGE = 1.1;
 
-fn pack_front(covers: bool, height: f32, triangle: u32) -> u32 {
+fn pack_front(height: f32, triangle: u32) -> u32 {
     let highest = (1u << (31 - TRIANGLE_BITS)) - 1;
-    let step = 1 + u32(saturate(height / FRONT_RANGE + 0.5) * f32(highest - 1));
-    return select(0u, COVERS, covers) | (step << TRIANGLE_BITS) | triangle;
+    return COVERS | (u32(saturate(height / FRONT_RANGE + 0.5) * f32(highest)) << TRIANGLE_BITS) | triangle;
+}
+
+// That of a triangle that covers no point: noise made of its corners, the same whatever the order, in place of the height.
+fn pack_small(f: Facet, triangle: u32) -> u32 {
+    let corners = bitcast<vec4u>(vec4f(f.corners[0], f.corners[1])) ^ bitcast<vec4u>(vec4f(f.corners[2], f.slope));
+    var noise = 1u;
+    for (var i = 0; i < 4; i++) {
+        noise = (noise ^ corners[i]) * 0x9e3779b1u;
+        noise ^= noise >> 15;
+    }
+    return (max(noise >> (TRIANGLE_BITS + 1), 1u) << TRIANGLE_BITS) | triangle;
 }
 
 fn front_triangle(word: u32) -> u32 {

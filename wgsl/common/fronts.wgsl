@@ -1,6 +1,6 @@
 // What triangles leave in a voxel for its sheets: the largest words and bits, the same whatever the order.
 
-import package::common::front::{FRONTS, Facet, axis_squares, front_point, pack_front, side_fronts};
+import package::common::front::{FRONTS, Facet, axis_squares, front_point, pack_front, pack_small, side_fronts};
 import package::common::sheet::{TWO_SIDED, square_bit};
 import package::common::triangle_box::swizzle;
 
@@ -22,14 +22,14 @@ fn add_front(f: Facet, axis: u32, squares: u32, two_sided: bool, nearest: vec3f,
         let height = f.height + dot(f.slope, at);
         if (abs(height) <= 0.5 && (squares & square_bit(at)) != 0) {
             covers = true;
-            atomicMax(&fronts[first + i], pack_front(true, towards * height, triangle));
+            atomicMax(&fronts[first + i], pack_front(towards * height, triangle));
         }
     }
     if (!covers) {
         // Too small or too near the voxel's edge for any of the points: it counts where nothing covers them.
         let at = swizzle(nearest, axis);
         let i = select(0u, 1u, at.x > 0.0) + select(0u, 2u, at.y > 0.0);
-        atomicMax(&fronts[first + i], pack_front(false, towards * at.z, triangle));
+        atomicMax(&fronts[first + i], pack_small(f, triangle));
     }
     atomicOr(&fronts[axis_squares(slot, axis)], squares | select(0u, TWO_SIDED, two_sided));
 }

@@ -5,18 +5,22 @@ import package::common::front::Facet;
 import package::common::material::{HAS_ALPHA_MASK, Material, base_color};
 import package::common::sheet::{ALL_SQUARES, SQUARES};
 
-// How far inside a triangle's edge from a to b a square lies with all of it, times the edge's length; negative where some of it is
-// outside. `facing` is positive where the corners turn from x to y.
-fn inside_edge(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> f32 {
-    let along = b - a;
-    let at = sign(facing) * (along.x * (centre.y - a.y) - along.y * (centre.x - a.x));
-    return at - half_side * (abs(along.x) + abs(along.y));
+// Whether a square lies with all of it inside a triangle's edge from a to b. `facing` is positive where the corners turn from x to y. A point on an edge that two triangles share belongs to one of them,
+// so that no order of triangles matters: both find the same number there, up to its sign.
+fn is_within(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> bool {
+    let turned = b.x < a.x || (b.x == a.x && b.y < a.y);
+    let low = select(a, b, turned);
+    let along = select(b, a, turned) - low;
+    let left = along.x * (centre.y - low.y) - along.y * (centre.x - low.x);
+    let clockwise = (facing < 0.0) != turned;
+    let margin = half_side * (abs(along.x) + abs(along.y));
+    return select(left - margin >= 0.0, -left - margin > 0.0, clockwise);
 }
 
 fn is_inside(f: Facet, centre: vec2f, half_side: f32) -> bool {
-    return inside_edge(f.corners[0], f.corners[1], f.facing, centre, half_side) >= 0.0
-        && inside_edge(f.corners[1], f.corners[2], f.facing, centre, half_side) >= 0.0
-        && inside_edge(f.corners[2], f.corners[0], f.facing, centre, half_side) >= 0.0;
+    return is_within(f.corners[0], f.corners[1], f.facing, centre, half_side)
+        && is_within(f.corners[1], f.corners[2], f.facing, centre, half_side)
+        && is_within(f.corners[2], f.corners[0], f.facing, centre, half_side);
 }
 
 fn square_middle(index: u32) -> vec2f {

@@ -35,6 +35,8 @@ pub(crate) struct SceneObjects {
     shadow_matrices: Written,
     /// Vertices and triangles of instances that don't move.
     still: (usize, usize),
+    /// That of the triangles that may move.
+    order: Vec<u32>,
     /// As they are on the device.
     instances: Vec<Instance>,
     /// What positions are relative to.
@@ -49,7 +51,7 @@ impl SceneObjects {
         scene: &Scene,
     ) -> Result<SceneObjects, Error> {
         let origin = plan.grid.centre;
-        let (vertices, indices, still) = mesh::whole(scene, origin);
+        let mesh::Whole { vertices, triangles: indices, still, order } = mesh::whole(scene, origin);
         let (storage, uniform) = (wgpu::BufferUsages::STORAGE, wgpu::BufferUsages::UNIFORM);
         let layers = texture::layers(scene);
         let [colors, data] = [true, false].map(|srgb| texture::array(scene, srgb, facts.texture_size));
@@ -84,6 +86,7 @@ impl SceneObjects {
                 uniform,
             )?,
             still,
+            order,
             instances: scene.instances.clone(),
             origin,
         })
@@ -143,7 +146,7 @@ impl SceneObjects {
         self.instances = scene.instances.clone();
         versions.geometry += 1;
         let (first_vertex, first_triangle) = self.still;
-        let (vertices, triangles) = mesh::moving(scene, plan.grid.centre, first_vertex);
+        let (vertices, triangles) = mesh::moving(scene, plan.grid.centre, first_vertex, &self.order);
         let (vertex, triangle) = (size_of::<mesh::Vertex>(), size_of::<[u32; 3]>());
         host.write(&self.vertices, (first_vertex * vertex) as u64, bytemuck::cast_slice(&vertices));
         // A mirrored instance's triangles are turned.
@@ -170,9 +173,10 @@ impl SceneObjects {
         }
         self.write_lights(host, scene, &lights, &mut Versions::default());
         if !self.stand_as_in(scene) || plan.grid.centre != self.origin {
-            let (vertices, indices, _) = mesh::whole(scene, plan.grid.centre);
+            let mesh::Whole { vertices, triangles, order, .. } = mesh::whole(scene, plan.grid.centre);
             host.write(&self.vertices, 0, bytemuck::cast_slice(&vertices));
-            host.write(&self.indices, 0, bytemuck::cast_slice(&indices));
+            host.write(&self.indices, 0, bytemuck::cast_slice(&triangles));
+            self.order = order;
             (self.instances, self.origin) = (scene.instances.clone(), plan.grid.centre);
         }
         Ok(())

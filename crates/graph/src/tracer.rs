@@ -56,7 +56,7 @@ pub struct Tracers(Vec<Tracer>);
 impl Tracers {
     /// The tracers that come with Voxlume; the first is the default.
     pub fn builtin() -> Tracers {
-        Tracers(vec![CONES, RAYS])
+        Tracers(vec![RAYS, CONES])
     }
 
     /// Adds a tracer; one of the same name gives way.
@@ -78,7 +78,7 @@ impl Tracers {
     /// The tracer of a pass: its own word's, or else the pipeline's. An unknown word stands for the default.
     pub(crate) fn of(&self, pipeline: &Pipeline, entry: &PassEntry) -> &Tracer {
         let word = entry.tracer.as_ref().unwrap_or(&pipeline.tracer);
-        self.get(&word.value).unwrap_or(&CONES)
+        self.get(&word.value).unwrap_or(&RAYS)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec2, Vec3, Vec4};
+use rayon::prelude::*;
 use voxlume_scene::{Geometry, Scene};
 
 #[repr(C)]
@@ -27,34 +28,77 @@ fn vertices(geometry: &Geometry) -> Vec<Vertex> {
         .collect()
 }
 
-/// All vertices and triangles, and how many of each never move.
-pub(crate) fn whole(scene: &Scene, origin: DVec3) -> (Vec<Vertex>, Vec<[u32; 3]>, (usize, usize)) {
+/// All triangles of a scene.
+pub(crate) struct Whole {
+    pub vertices: Vec<Vertex>,
+    pub triangles: Vec<[u32; 3]>,
+    /// Vertices and triangles that never move.
+    pub still: (usize, usize),
+    /// For [`moving`].
+    pub order: Vec<u32>,
+}
+
+pub(crate) fn whole(scene: &Scene, origin: DVec3) -> Whole {
     let (geometry, moving) = (Geometry::new(scene, origin), Geometry::moving(scene, origin));
     let still = (
         geometry.positions.len() - moving.positions.len(),
         geometry.triangles.len() - moving.triangles.len(),
     );
-    let mut triangles = geometry.triangles.clone();
-    let (never, may) = triangles.split_at_mut(still.1);
-    masked_last(scene, &geometry, never);
-    masked_last(scene, &geometry, may);
-    (vertices(&geometry), triangles, still)
+    let (never, may) = geometry.triangles.split_at(still.1);
+    let (first, order) = (order(scene, &geometry, never), order(scene, &geometry, may));
+    let triangles = ordered(never, &first).chain(ordered(may, &order)).collect();
+    Whole { vertices: vertices(&geometry), triangles, still, order }
 }
 
-/// Vertices and triangles of what moves, which follow `first_vertex` others.
-pub(crate) fn moving(scene: &Scene, origin: DVec3, first_vertex: usize) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+/// Vertices and triangles of what moves, which follow `first_vertex` others, in the order that they had at first.
+pub(crate) fn moving(
+    scene: &Scene,
+    origin: DVec3,
+    first_vertex: usize,
+    order: &[u32],
+) -> (Vec<Vertex>, Vec<[u32; 3]>) {
     let geometry = Geometry::moving(scene, origin);
-    let mut triangles = geometry.triangles.clone();
-    masked_last(scene, &geometry, &mut triangles);
-    triangles.iter_mut().flatten().for_each(|index| *index += first_vertex as u32);
-    (vertices(&geometry), triangles)
+    let triangles = ordered(&geometry.triangles, order);
+    (vertices(&geometry), triangles.map(|corners| corners.map(|i| i + first_vertex as u32)).collect())
 }
 
-/// As the plan has them voxelized apart.
-fn masked_last(scene: &Scene, geometry: &Geometry, triangles: &mut [[u32; 3]]) {
-    triangles.sort_by_key(|triangle| {
-        scene.materials[geometry.materials[triangle[0] as usize] as usize].is_masked()
+fn ordered(triangles: &[[u32; 3]], order: &[u32]) -> impl Iterator<Item = [u32; 3]> {
+    order.iter().map(|&index| triangles[index as usize])
+}
+
+/// Those with an alpha mask last, as the plan has them voxelized apart, and else along a Morton curve by their centroids: in a
+/// voxel the same one of two triangles in one plane is in front, whatever order a file gives them in.
+fn order(scene: &Scene, geometry: &Geometry, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let corners = |triangle: &[u32; 3]| triangle.map(|i| geometry.positions[i as usize]);
+    let centroid = |triangle: &[u32; 3]| corners(triangle).iter().sum::<Vec3>() / 3.0;
+    let bounds = triangles.par_iter().map(centroid).map(|c| (c, c));
+    let Some((low, high)) = bounds.reduce_with(|(l, h), (m, n)| (l.min(m), h.max(n))) else {
+        return Vec::new();
+    };
+    let per_unit = MORTON_SIDE / (high - low).max_element().max(f32::MIN_POSITIVE);
+    let key = |triangle: &[u32; 3]| {
+        let material = geometry.materials[triangle[0] as usize] as usize;
+        (scene.materials[material].is_masked(), morton((centroid(triangle) - low) * per_unit))
+    };
+    let mut keyed: Vec<_> = (0..triangles.len() as u32)
+        .into_par_iter()
+        .map(|index| (key(&triangles[index as usize]), index))
+        .collect();
+    let exact =
+        |index: u32| corners(&triangles[index as usize]).map(|corner| corner.to_array().map(f32::to_bits));
+    keyed.par_sort_unstable_by(|(key, index), (other_key, other)| {
+        key.cmp(other_key).then_with(|| exact(*index).cmp(&exact(*other))).then(index.cmp(other))
     });
+    keyed.into_iter().map(|(_, index)| index).collect()
+}
+
+/// Steps along a coordinate, of 21 bits.
+const MORTON_SIDE: f32 = 2_097_151.0;
+
+/// The bits of three coordinates in [0, 2²¹), in turn.
+fn morton(at: Vec3) -> u64 {
+    let spread = |value: f32| (0..21).fold(0, |sum, bit| sum | (value as u64 >> bit & 1) << (3 * bit));
+    spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2
 }
 
 /// Octahedral map: Cigolle et al., JCGT 3(2), 2014. The inverse of wgsl/common/octahedral.wgsl.

@@ -15,7 +15,7 @@ pub(crate) use entry::scales;
 pub use entry::{ImageWords, Param, PassEntry, SCALES, Value};
 
 use crate::grid::Extent;
-use crate::tracer::CONES;
+use crate::tracer::RAYS;
 
 /// A pipeline file, read but not yet checked against shaders, formats and a scene.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ pub struct Pipeline {
     pub format: Located<String>,
     /// Name of the texel encoding.
     pub encoding: Located<String>,
-    /// Name of the tracer of passes that name none: [`CONES`](crate::CONES) unless given.
+    /// Name of the tracer of passes that name none: [`RAYS`](crate::RAYS) unless given.
     pub tracer: Located<String>,
     /// Voxels along the grid's longest side.
     pub resolution: Located<u32>,
@@ -86,7 +86,7 @@ impl Pipeline {
                 source: Arc::clone(source),
                 format: format?,
                 encoding: encoding?,
-                tracer: tracer.unwrap_or_else(|| Located { value: CONES.name.to_owned(), span: None }),
+                tracer: tracer.unwrap_or_else(|| Located { value: RAYS.name.to_owned(), span: None }),
                 resolution: resolution?,
                 extent: extent?,
                 separability: separability?,

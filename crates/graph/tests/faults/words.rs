@@ -22,23 +22,23 @@ fn format() {
 
 #[test]
 fn tracer() {
-    assert_snapshot!(message(&[(r#"resolution"#, r#"tracer: "cone", resolution"#)]), @r#"
+    assert_snapshot!(message(&[(r#"tracer: "cones""#, r#"tracer: "cone""#)]), @r#"
     error: unknown tracer `cone`
-      ┌─ p.ron:4:13
-      │
-    4 │     tracer: "cone", resolution: 64,
-      │             ^^^^^^ did you mean `cones`? one of: cones, rays
+       ┌─ p.ron:47:13
+       │
+    47 │     tracer: "cone",
+       │             ^^^^^^ did you mean `cones`? one of: rays, cones
     "#);
     assert_snapshot!(message(&[(r#"run: "effect/diffuse""#, r#"run: "effect/diffuse", tracer: "sonar""#)]), @r#"
     error: unknown tracer `sonar`
        ┌─ p.ron:28:44
        │
     28 │             run: "effect/diffuse", tracer: "sonar",
-       │                                            ^^^^^^^ one of: cones, rays
+       │                                            ^^^^^^^ one of: rays, cones
     "#);
     assert_snapshot!(message_for(&[], &Request { tracer: Some("sonar".into()), ..request() }), @r#"
     error: unknown tracer `sonar`
-     = one of: cones, rays
+     = one of: rays, cones
     "#);
     assert_snapshot!(message(&[(r#"(run: "filter""#, r#"(run: "filter", tracer: "cones""#)]), @r#"
     error: pass `filter` traces nothing
