@@ -33,8 +33,8 @@ fn pack_small(f: Facet, triangle: u32) -> u32 {
     return (max(noise >> (TRIANGLE_BITS + 1), 1u) << TRIANGLE_BITS) | triangle;
 }
 
-fn front_triangle(word: u32) -> u32 {
-    return word & ((1u << TRIANGLE_BITS) - 1);
+fn front_triangles(words: vec4u) -> vec4u {
+    return words & vec4u((1u << TRIANGLE_BITS) - 1);
 }
 
 fn front_point(index: u32) -> vec2f {

@@ -3,7 +3,7 @@
 import package::common::bands::triangle_voxel;
 import package::common::dispatch::dispatch_index;
 import package::common::fragment::{corners_of, fragment_at};
-import package::common::front::{COVERS, FRONTS, axis_squares, facet, front_triangle, side_fronts};
+import package::common::front::{COVERS, axis_squares, facet, front_triangles, side_fronts};
 import package::common::material::{base_color, materials, roughness_metallic};
 import package::common::sheet::{HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
 import package::common::voxels::level_cell;
@@ -38,37 +38,27 @@ fn mixed(a: Shown, b: Shown, t: f32) -> Shown {
     return Shown(mix(a.height, b.height, t), mix(a.slope, b.slope, t), SideMaterial(color, roughness, metallic));
 }
 
-// Whether a side shows anything, and if so the mean of what it shows at its points.
-fn side_shown(slot: u32, side: u32, cell: vec3u, mean: ptr<function, Shown>) -> bool {
-    let first = side_fronts(slot, side);
-    var words: array<u32, FRONTS>;
-    var any_word = 0u;
-    for (var i = 0u; i < FRONTS; i++) {
-        words[i] = fronts[first + i];
-        any_word |= words[i];
-    }
-    if (any_word == 0) {
-        return false;
-    }
-    var last = 0u;
-    var one: Shown;
-    var sum: Shown;
+fn side_words(first: u32) -> vec4u {
+    return vec4u(fronts[first], fronts[first + 1], fronts[first + 2], fronts[first + 3]);
+}
+
+// The mean of what a side shows at its points. Of its words what covers a point counts alone if there is any.
+fn side_shown(words: vec4u, axis: u32, cell: vec3u) -> Shown {
+    let triangles = front_triangles(words);
+    let covering = words >= vec4u(COVERS);
+    var left = select(words != vec4u(0), covering, any(covering));
+    var mean: Shown;
     var count = 0.0;
-    for (var i = 0u; i < FRONTS; i++) {
-        let word = words[i];
-        // What covers a point counts alone if there is any.
-        if (word == 0 || (word & COVERS) != (any_word & COVERS)) {
-            continue;
-        }
-        if (count == 0.0 || front_triangle(word) != last) {
-            last = front_triangle(word);
-            one = shown(last, side / 2, cell);
-        }
-        sum = mixed(sum, one, 1.0 / (count + 1.0));
-        count += 1.0;
+    // Mostly all four are one triangle's.
+    while (any(left)) {
+        let triangle = select(select(select(triangles.w, triangles.z, left.z), triangles.y, left.y), triangles.x, left.x);
+        let same = left & (triangles == vec4u(triangle));
+        let share = dot(vec4f(same), vec4f(1.0));
+        count += share;
+        mean = mixed(mean, shown(triangle, axis, cell), share / count);
+        left = left & !same;
     }
-    *mean = sum;
-    return true;
+    return mean;
 }
 
 @compute @workgroup_size(64)
@@ -78,35 +68,29 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (!level_cell(slot, 0, &cell)) {
         return;
     }
-    var found: array<bool, SIDES>;
-    var materials_of: array<u32, SIDES>;
-    var means: array<Shown, SIDES>;
+    var sides = 0u;
     for (var side = 0u; side < SIDES; side++) {
-        var mean: Shown;
-        found[side] = side_shown(slot, side, cell, &mean);
-        means[side] = mean;
-        materials_of[side] = pack_side_material(mean.material);
+        sides |= select(0u, 1u << side, any(side_words(side_fronts(slot, side)) != vec4u(0)));
     }
-    var count = 0u;
-    for (var side = 0u; side < SIDES; side++) {
-        if (!found[side]) {
-            continue;
-        }
-        var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1);
-        if ((bits & TWO_SIDED) != 0 && !found[side ^ 1]) {
+    let first = SHEET_ENTRIES * slot;
+    for (var i = countOneBits(sides); i < SHEET_ENTRIES; i++) {
+        sheets[first + i] = vec2u(0);
+    }
+    var at = first;
+    var left = sides;
+    while (left != 0) {
+        let side = firstTrailingBit(left);
+        left &= left - 1;
+        let mean = side_shown(side_words(side_fronts(slot, side)), side / 2, cell);
+        let material = pack_side_material(mean.material);
+        var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
+        let materials_at = first + SHEETS + side / 2;
+        sheets[materials_at][side & 1] = material;
+        if ((bits & TWO_SIDED) != 0 && ((sides >> (side ^ 1)) & 1) == 0) {
             bits |= HAS_BACK;
-            materials_of[side ^ 1] = materials_of[side];
+            sheets[materials_at][(side & 1) ^ 1] = material;
         }
-        if (count > 0) {
-            sheets[SHEET_ENTRIES * slot + count - 1].y |= MORE;
-        }
-        sheets[SHEET_ENTRIES * slot + count] = pack_sheet(Sheet(means[side].height, means[side].slope, side / 2, bits));
-        count++;
-    }
-    for (; count < SHEETS; count++) {
-        sheets[SHEET_ENTRIES * slot + count] = vec2u(0);
-    }
-    for (var i = 0u; i < SIDES / 2; i++) {
-        sheets[SHEET_ENTRIES * slot + SHEETS + i] = vec2u(materials_of[2 * i], materials_of[2 * i + 1]);
+        sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits));
+        at++;
     }
 }
