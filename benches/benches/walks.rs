@@ -10,7 +10,7 @@ use voxlume_tests::{Bits, Random, Ray, gpu};
 
 const RAYS: usize = 1 << 18;
 const RUNS: usize = 5;
-const WALKS: [&str; 2] = ["bricks", "columns"];
+const WALKS: [&str; 3] = ["leaps", "bricks", "columns"];
 
 fn main() {
     let resolution: u32 = std::env::args().skip(1).find_map(|argument| argument.parse().ok()).unwrap_or(128);

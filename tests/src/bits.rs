@@ -51,8 +51,12 @@ pub struct Bits {
     pub grid: Grid,
     /// All of them.
     pub occupied: Vec<UVec3>,
-    /// The bitmask of all levels, and the columns of bits of all levels.
-    occupancy: Vec<u32>,
+    /// The bitmask of all levels.
+    bitmask: Vec<u32>,
+    /// The columns of bits of all levels.
+    columns: Vec<u32>,
+    /// How far blocks are from occupied ones.
+    leaps: Vec<u32>,
     ranks: Vec<u32>,
 }
 
@@ -75,20 +79,22 @@ impl Bits {
         for word in &occupancy {
             ranks.push(ranks[ranks.len() - 1] + word.count_ones());
         }
+        let mut columns_of_bits = Vec::new();
         let [width, height, depth] = size;
         let height_words = depth.div_ceil(32);
         for (level, words) in (0..).zip(grid.column_words()) {
             let [columns, rows] = [width, height].map(|n| n.div_ceil(1 << level));
             assert_eq!(words, columns * rows * height_words);
-            let first = occupancy.len();
-            occupancy.resize(first + words as usize, 0);
+            let first = columns_of_bits.len();
+            columns_of_bits.resize(first + words as usize, 0);
             for cell in &occupied {
                 let column = (cell.y >> level) * columns + (cell.x >> level);
                 let word = column * height_words + cell.z / 32;
-                occupancy[first + word as usize] |= 1 << (cell.z % 32);
+                columns_of_bits[first + word as usize] |= 1 << (cell.z % 32);
             }
         }
-        Bits { grid, occupied, occupancy, ranks }
+        let leaps = leaps(&grid, &occupied);
+        Bits { grid, occupied, bitmask: occupancy, columns: columns_of_bits, leaps, ranks }
     }
 
     /// So many random cells of a hundred.
@@ -122,7 +128,12 @@ impl Bits {
             })
             .collect();
         let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>();
-        let (occupancy, ranks) = (bytes(&self.occupancy), bytes(&self.ranks));
+        let after = match walk {
+            "walk/leaps" => self.leaps.as_slice(),
+            "walk/columns" => &self.columns,
+            _ => &[],
+        };
+        let (occupancy, ranks) = (bytes(&[&self.bitmask, after].concat()), bytes(&self.ranks));
         let cases: Vec<u8> = cases.iter().flat_map(|value| value.to_le_bytes()).collect();
         let grid = self.grid.uniform(DVec3::ZERO, 1, 1.0);
         let inputs: [(&str, &[u8]); 4] =
@@ -131,3 +142,39 @@ impl Bits {
         Kernel::new(library, KERNEL, &mounts, &[], (None, &inputs), rays.len() * 8)
     }
 }
+
+/// As wgsl/common/leap.wgsl says.
+fn leaps(grid: &Grid, occupied: &[UVec3]) -> Vec<u32> {
+    let size = UVec3::from_array(grid.size.map(|n| n.div_ceil(4)));
+    let index = |x: u32, y: u32, z: u32| ((z * size.y + y) * size.x + x) as usize;
+    let mut distances = vec![MOST_LEAP; size.element_product() as usize];
+    for block in occupied.iter().map(|cell| *cell / 4) {
+        distances[index(block.x, block.y, block.z)] = 0;
+    }
+    for axis in 0..3 {
+        let before = distances.clone();
+        for (z, y, x) in cells(size) {
+            let at = UVec3::new(x, y, z);
+            let near = |i: u32| {
+                let mut other = at;
+                other[axis] = i;
+                before[index(other.x, other.y, other.z)].max(i.abs_diff(at[axis]))
+            };
+            let least = (0..size[axis]).map(near).min();
+            distances[index(x, y, z)] = least.unwrap_or(MOST_LEAP).min(MOST_LEAP);
+        }
+    }
+    let mut words = vec![0; grid.leap_words() as usize];
+    for (z, y, x) in cells(size) {
+        let word = (z * size.y + y) * size.x.div_ceil(4) + x / 4;
+        words[word as usize] |= distances[index(x, y, z)] << (8 * (x % 4));
+    }
+    words
+}
+
+fn cells(size: UVec3) -> impl Iterator<Item = (u32, u32, u32)> {
+    (0..size.z).flat_map(move |z| (0..size.y).flat_map(move |y| (0..size.x).map(move |x| (z, y, x))))
+}
+
+/// See wgsl/common/leap.wgsl.
+const MOST_LEAP: u32 = 7;

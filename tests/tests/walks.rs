@@ -120,7 +120,7 @@ fn rays(size: [u32; 3], random: &mut Random) -> Vec<Ray> {
 const SIZES: [[u32; 3]; 6] = [[8, 8, 8], [16, 8, 24], [64, 16, 32], [33, 17, 5], [8, 24, 136], [64, 64, 64]];
 
 /// The walks to choose from.
-const WALKS: [&str; 2] = ["walk/bricks", "walk/columns"];
+const WALKS: [&str; 3] = ["walk/leaps", "walk/bricks", "walk/columns"];
 
 /// What a walk of a library gets wrong, and how many rays of how many differ from `f64`.
 fn faults(library: &Library, walk: &str, sizes: &[[u32; 3]]) -> (Vec<String>, usize, usize) {
@@ -162,7 +162,8 @@ fn walks_meet_the_first_occupied_cell() {
 /// The test above notices a walk that goes wrong at the faces of bricks or of columns.
 #[test]
 fn a_wrong_walk_is_noticed() {
-    let wrongs = ["vec3i(floor(c.origin + passage.leave", "vec2i(floor(c.origin.xy + passage.leave"];
+    let of_cells = "vec3i(floor(c.origin + passage.leave";
+    let wrongs = [of_cells, of_cells, "vec2i(floor(c.origin.xy + passage.leave"];
     for (walk, right) in WALKS.into_iter().zip(wrongs) {
         let mut library = Library::builtin();
         let text = library.get(walk).unwrap().text.replace(right, &right.replace("floor", "ceil"));

@@ -121,6 +121,12 @@ impl Grid {
         (0..levels).map(words).collect()
     }
 
+    /// Words of the distances between blocks of 4 × 4 × 4 cells, a byte each in rows along x: see wgsl/common/leap.wgsl.
+    pub fn leap_words(&self) -> u32 {
+        let [x, y, z] = self.size.map(|n| n.div_ceil(4));
+        x.div_ceil(4) * y * z
+    }
+
     /// First word of each level, and the number of words of all.
     pub fn word_offsets(&self) -> (Vec<u32>, u32) {
         let mut total = 0;

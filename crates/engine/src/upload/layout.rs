@@ -31,7 +31,7 @@ macro_rules! layout {
 }
 
 fn in_wgsl(module: &str, name: &str) -> StructLayout {
-    let mounts = [("walk", "walk/bricks"), ("meet", "meet/sheets"), ("emitters", "emitters/none")];
+    let mounts = [("walk", "walk/leaps"), ("meet", "meet/sheets"), ("emitters", "emitters/none")];
     let shader = link(&Library::builtin(), module, &mounts);
     let shader = shader.and_then(voxlume_shader::Linked::check).unwrap_or_else(|faults| panic!("{faults}"));
     shader.struct_layout(name).unwrap()

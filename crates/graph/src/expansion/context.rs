@@ -163,7 +163,7 @@ impl<'a> Context<'a> {
         let usual = [
             ("texel", "texel/rgba16float"),
             ("seen", "seen/pixel"),
-            ("walk", "walk/bricks"),
+            ("walk", "walk/leaps"),
             ("meet", "meet/sheets"),
             ("lamps", "lamps/none"),
             (

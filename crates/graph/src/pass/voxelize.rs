@@ -72,9 +72,9 @@ impl PassKind for Voxelize {
             },
             ParamWords {
                 name: "walk",
-                sentence: "what rays walk through: bricks of cells, or columns of bits along z (VGI §4); what they meet is the \
-                           same; `bricks` unless given",
-                values: Values::Words(&["bricks", "columns"]),
+                sentence: "what rays walk through: cells, leaping over what is empty, coarser cells, or columns of bits along \
+                           z (VGI §4); what they meet is the same; `leaps` unless given",
+                values: Values::Words(&["leaps", "bricks", "columns"]),
             },
             ParamWords {
                 name: "resolution",
@@ -102,8 +102,12 @@ impl PassKind for Voxelize {
             return;
         }
         let Some(method) = method(pass) else { return };
-        let columns = pass.word_or("walk", "bricks") == Some("columns");
-        let voxels = Voxels::new(pass, coverage, conflict, columns);
+        let walk = match pass.word_or("walk", "leaps") {
+            Some("columns") => Walk::Columns,
+            Some("bricks") => Walk::Bricks,
+            _ => Walk::Leaps,
+        };
+        let voxels = Voxels::new(pass, coverage, conflict, walk);
         voxels.steps(pass, method);
         if !pass.voxel_emission() {
             let why = match pass.facts().emissive {
@@ -166,6 +170,46 @@ fn words(count: u32) -> ResourceKind {
     ResourceKind::Buffer(u64::from(count) * 4)
 }
 
+/// What rays walk through, as far as it is more than the bitmask: it follows the bitmask in its buffer.
+#[derive(Clone, Copy)]
+enum Walk {
+    /// How far blocks of cells are from occupied ones, and what an axis before the last finds.
+    Leaps,
+    /// Nothing.
+    Bricks,
+    /// Columns of bits.
+    Columns,
+}
+
+impl Walk {
+    fn module(self) -> &'static str {
+        match self {
+            Walk::Leaps => "walk/leaps",
+            Walk::Bricks => "walk/bricks",
+            Walk::Columns => "walk/columns",
+        }
+    }
+
+    fn steps(self, pass: &mut Expansion<'_, '_>, grid: &Grid) {
+        match self {
+            Walk::Leaps => {
+                for axis in ["along_x", "along_y", "along_z"] {
+                    let groups = groups_for(grid.leap_words(), 64);
+                    pass.run("pass/leaps").entry(axis).over(Over::Groups(groups));
+                }
+            }
+            Walk::Bricks => {}
+            Walk::Columns => {
+                for (level, words) in (0..).zip(grid.column_words()) {
+                    pass.run("pass/columns")
+                        .reads("step_params", step_params(level))
+                        .over(Over::Groups(groups_for(words, 64)));
+                }
+            }
+        }
+    }
+}
+
 /// The buffers that voxels are.
 #[derive(Clone, Copy)]
 struct Voxels {
@@ -178,25 +222,28 @@ struct Voxels {
     stride: u32,
     /// Words of the bitmask of all levels.
     all: u32,
-    /// Whether columns of bits follow the bitmask.
-    columns: bool,
+    walk: Walk,
 }
 
 impl Voxels {
-    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str, columns: bool) -> Voxels {
+    fn new(pass: &mut Expansion<'_, '_>, coverage: bool, conflict: &'static str, walk: Walk) -> Voxels {
         let triangles = pass.facts().triangles;
         let (_, all) = pass.grid().word_offsets();
         let level_bytes = u64::from(pass.grid().levels()) * LEVEL_RUN_BYTES;
         let stride = attribute_stride(pass.voxel_emission(), coverage);
-        let column_words = if columns { pass.grid().column_words().iter().sum() } else { 0 };
+        let walk_words = match walk {
+            Walk::Leaps => 2 * pass.grid().leap_words(),
+            Walk::Bricks => 0,
+            Walk::Columns => pass.grid().column_words().iter().sum(),
+        };
         let mut bundle = pass.grid_bundle();
-        bundle.mount("walk", if columns { "walk/columns" } else { "walk/bricks" });
+        bundle.mount("walk", walk.module());
         let mut part = |name: &str, kind| {
             let resource = pass.part("voxels", name, kind);
             bundle.add(name, Target::Resource(resource));
             resource
         };
-        let occupancy = part("occupancy", words(all + column_words));
+        let occupancy = part("occupancy", words(all + walk_words));
         let ranks = part("ranks", words(all + 1));
         let levels = part("levels", ResourceKind::Buffer(level_bytes));
         part("scan_runs", words((all + 1).max(triangles + 1).div_ceil(64)));
@@ -210,7 +257,7 @@ impl Voxels {
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);
         pass.counts_cells(levels);
-        Voxels { occupancy, ranks, attributes, fronts, stride, all, columns }
+        Voxels { occupancy, ranks, attributes, fronts, stride, all, walk }
     }
 
     fn steps(&self, pass: &mut Expansion<'_, '_>, method: Method) {
@@ -232,12 +279,7 @@ impl Voxels {
                 .reads("step_params", step_params(level))
                 .over(Over::Groups(groups_for(grid.level_words(level), 64)));
         }
-        let columns = if self.columns { grid.column_words() } else { Vec::new() };
-        for (level, words) in (0..).zip(columns) {
-            pass.run("pass/columns")
-                .reads("step_params", step_params(level))
-                .over(Over::Groups(groups_for(words, 64)));
-        }
+        self.walk.steps(pass, &grid);
         scan(pass, &[], ranks, all + 1, true);
         pass.run("pass/level_runs").over(Over::Groups([1, 1, 1]));
         pass.counted();
@@ -286,7 +328,7 @@ impl Voxels {
             fronts,
             stride: self.stride,
             all: finest,
-            columns: false,
+            walk: Walk::Bricks,
         };
         let targets = [
             ("occupancy", occupancy),
