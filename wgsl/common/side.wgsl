@@ -9,6 +9,11 @@ import package::common::trace::{Apex, Share};
 // Of each voxel: as many sheets as it may have, those that are there first; then the material of each of its sides, packed.
 var<storage, read> sheets: array<vec2u>;
 
+// Entry number `index` of a voxel. All voxels' first entries come first, then all second ones: most voxels have no second sheet.
+fn sheet_entry(slot: u32, index: u32) -> vec2u {
+    return sheets[index * (arrayLength(&sheets) / SHEET_ENTRIES) + slot];
+}
+
 
 // Number 2k looks towards +k, number 2k + 1 towards −k.
 fn side_number(bits: u32, back: bool) -> u32 {
@@ -41,7 +46,7 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     let centre = vec3f(cell) + 0.5;
     // Even: the front of a sheet. Odd: its back.
     var step = *at;
-    var words = sheets[SHEET_ENTRIES * slot + step / 2];
+    var words = sheet_entry(slot, step / 2);
     if (step == 0 && words.y == 0) {
         // Too little of a surface for a sheet: one side along the mean normal.
         *at = 2 * SHEETS;
@@ -51,17 +56,17 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
         step += 1;
     }
-    if (step >= 2 * SHEETS || ((step & 1) == 0 && step > 0 && (sheets[SHEET_ENTRIES * slot + step / 2 - 1].y & MORE) == 0)) {
+    if (step >= 2 * SHEETS || ((step & 1) == 0 && step > 0 && (sheet_entry(slot, step / 2 - 1).y & MORE) == 0)) {
         return false;
     }
-    words = sheets[SHEET_ENTRIES * slot + step / 2];
+    words = sheet_entry(slot, step / 2);
     *at = step + 1;
     let back = (step & 1) == 1;
     let sheet = unpack_sheet(words);
     let number = side_number(words.y, back);
     let up = normalize(sheet_normal(sheet));
     let apex = Apex(centre + middle_of(sheet), select(up, -up, (number & 1) == 1), share);
-    let material = unpack_side_material(sheets[SHEET_ENTRIES * slot + SHEETS + number / 2][number & 1]);
+    let material = unpack_side_material(sheet_entry(slot, SHEETS + number / 2)[number & 1]);
     var reflectance = surface.albedo;
     if (CONFLICT == CONFLICT_SUM) {
         reflectance = saturate(total_reflectance(material.base_color, material.metallic, material.roughness));

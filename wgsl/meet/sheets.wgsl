@@ -1,8 +1,8 @@
 // What a ray meets in an occupied cell: the sheets of the cell's surfaces, as far as they are there.
 
 import package::common::ray::{Passage, Ray, RayHit, is_of};
-import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet, SHEETS, SHEET_ENTRIES, SIDES};
-import package::common::side::{sheets, side_number};
+import package::common::sheet::{LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet, SHEETS, SIDES};
+import package::common::side::{sheet_entry, side_number};
 
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;
@@ -14,7 +14,7 @@ fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, 
     let origin = ray.origin - centre;
     var nearest = ray.reach;
     for (var i = 0u; i < SHEETS; i++) {
-        let words = sheets[SHEET_ENTRIES * slot + i];
+        let words = sheet_entry(slot, i);
         if (words.y == 0) {
             // Too little of a surface for a sheet: all of the cell.
             *hit = RayHit(true, passage.enter, cell, passage.normal, SIDES * slot, true);

@@ -1,9 +1,9 @@
 // One radiance for each voxel from those of its sides, as storage formats take it.
 
 import package::common::dispatch::dispatch_index;
-import package::common::sheet::{ALL_SQUARES, HAS_BACK, MORE, sheet_normal, unpack_sheet, SHEETS, SHEET_ENTRIES, SIDES};
+import package::common::sheet::{ALL_SQUARES, HAS_BACK, MORE, sheet_normal, unpack_sheet, SHEETS, SIDES};
 import package::common::radiance::unpack_radiance;
-import package::common::side::{sheets, side_number};
+import package::common::side::{sheet_entry, side_number};
 import package::common::voxels::level_cell;
 
 var<storage, read> side_radiance: array<u32>;
@@ -18,7 +18,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     }
     var sum = vec4f(0.0);
     for (var i = 0u; i < SHEETS; i++) {
-        let words = sheets[SHEET_ENTRIES * slot + i];
+        let words = sheet_entry(slot, i);
         if (words.y == 0) {
             sum = vec4f(unpack_radiance(side_radiance[SIDES * slot]), 1.0);
             break;

@@ -72,11 +72,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     for (var side = 0u; side < SIDES; side++) {
         sides |= select(0u, 1u << side, any(side_words(side_fronts(slot, side)) != vec4u(0)));
     }
-    let first = SHEET_ENTRIES * slot;
+    let stride = arrayLength(&sheets) / SHEET_ENTRIES;
     for (var i = countOneBits(sides); i < SHEET_ENTRIES; i++) {
-        sheets[first + i] = vec2u(0);
+        sheets[slot + i * stride] = vec2u(0);
     }
-    var at = first;
+    var at = slot;
     var left = sides;
     while (left != 0) {
         let side = firstTrailingBit(left);
@@ -84,13 +84,13 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let mean = side_shown(side_words(side_fronts(slot, side)), side / 2, cell);
         let material = pack_side_material(mean.material);
         var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
-        let materials_at = first + SHEETS + side / 2;
+        let materials_at = slot + (SHEETS + side / 2) * stride;
         sheets[materials_at][side & 1] = material;
         if ((bits & TWO_SIDED) != 0 && ((sides >> (side ^ 1)) & 1) == 0) {
             bits |= HAS_BACK;
             sheets[materials_at][(side & 1) ^ 1] = material;
         }
         sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits));
-        at++;
+        at += stride;
     }
 }
