@@ -35,31 +35,37 @@ fn light_piece(light: Light, index: u32, sides: u32) -> array<vec3f, 4> {
 // What a part gives a surface, up to a factor that all parts share: of a piece its form factor, as if it were small.
 fn part_weight(light: Light, whole: Incidence, index: u32, sides: u32, position: vec3f, normal: vec3f) -> f32 {
     if (HAS_AREA && light.kind == LIGHT_AREA) {
-        let c = light_piece(light, index, sides);
-        let offset = 0.25 * (c[0] + c[1] + c[2] + c[3]) - position;
+        let c = area_corners(light);
+        let at = (vec2f(vec2u(index % sides, index / sides)) + 0.5) / f32(sides);
+        let offset = quad_point(c, at.x, at.y) - position;
         let distance2 = max(dot(offset, offset), 1e-30);
-        let area = length(cross(c[2] - c[0], c[3] - c[1]));
+        // Of a flat quad the area changes evenly along both sides: that of a piece is as in its middle.
+        let area = length(cross(mix(c[1] - c[0], c[2] - c[3], at.y), mix(c[3] - c[0], c[2] - c[1], at.x)));
         return max(dot(offset, normal), 0.0) * abs(dot(offset, light.direction)) * area / (distance2 * distance2);
     }
     return max(dot(disc_direction(whole, index, sides * sides), normal), 0.0);
 }
 
+// With at most 4 along each side.
+const MOST_PARTS = 16u;
+
 // Which of `sides` × `sides` parts of a light a turn in [0, 1) falls to, each as often as it gives a share of the irradiance; as many
 // as there are where no part's middle is above the horizon.
 fn part_at(light: Light, whole: Incidence, sides: u32, turn: f32, position: vec3f, normal: vec3f) -> u32 {
     let count = sides * sides;
+    var weights: array<f32, MOST_PARTS>;
     var sum = 0.0;
     for (var i = 0u; i < count; i++) {
-        sum += part_weight(light, whole, i, sides, position, normal);
+        weights[i] = part_weight(light, whole, i, sides, position, normal);
+        sum += weights[i];
     }
     var left = turn * sum;
     var index = count;
     for (var i = 0u; i < count; i++) {
-        let weight = part_weight(light, whole, i, sides, position, normal);
-        if (weight > 0.0 && left >= 0.0) {
+        if (weights[i] > 0.0 && left >= 0.0) {
             index = i;
         }
-        left -= weight;
+        left -= weights[i];
     }
     return index;
 }
