@@ -330,12 +330,8 @@ impl Voxels {
             all: finest,
             walk: Walk::Bricks,
         };
-        let targets = [
-            ("occupancy", occupancy),
-            ("ranks", ranks),
-            ("attributes", attributes),
-            ("fronts", fronts),
-        ];
+        let targets =
+            [("occupancy", occupancy), ("ranks", ranks), ("attributes", attributes), ("fronts", fronts)];
         let targets = targets.map(|(name, resource)| (name.to_owned(), Target::Resource(resource))).to_vec();
         let still = pass.facts().triangles - pass.facts().moving_triangles;
         let part = Part { method, triangles: 0..still, targets };
