@@ -20,8 +20,8 @@ pub struct Substrate {
     pub levels: Vec<Run>,
     /// Fixed-point sums of each occupied voxel.
     pub attributes: Vec<u32>,
-    /// Each occupied voxel's sheets and its sides' materials, of 18 words (`SHEET_ENTRIES` in wgsl/common/sheet.wgsl).
-    pub sheets: Vec<u32>,
+    /// Each occupied voxel's sheets, and what its sides are (wgsl/common/sheet.wgsl).
+    pub sheets: Vec<Vec<u32>>,
 }
 
 /// One level's part of the list of cells.
@@ -79,15 +79,18 @@ impl Substrate {
             levels.chunks_exact(8).map(|w| Run { groups: [w[0], w[1], w[2]], first: w[3], count: w[4] });
         // Buffers may be larger than what they hold.
         let (voxels, listed) = renderer.counts();
-        let held = |name: &str, count: u64| {
+        let kind = |name: &str| {
             let plan = renderer.plan();
             let index = plan.resource(name).unwrap_or_else(|| panic!("the plan has no `{name}`"));
             let (ResourceKind::PerVoxel(bytes) | ResourceKind::PerCell(bytes)) = plan.resources[index].kind
             else {
                 panic!("`{name}` holds something else");
             };
+            bytes as usize / 4
+        };
+        let held = |name: &str, count: u64| {
             let mut words = words(name);
-            words.truncate((bytes / 4 * count) as usize);
+            words.truncate(kind(name) * count as usize);
             words
         };
         Substrate {
@@ -97,7 +100,7 @@ impl Substrate {
             cells: held("cells", listed),
             levels: levels.collect(),
             attributes: held("attributes", voxels),
-            sheets: held("sheets", voxels),
+            sheets: sheets(&words("sheets"), kind("sheets"), voxels),
         }
     }
 
@@ -136,7 +139,7 @@ impl Substrate {
     /// Which of 5 × 5 squares of its face the first sheet of a voxel covers, a bit each, in rows; none if it isn't occupied.
     pub fn squares(&self, cell: UVec3) -> u32 {
         // A sheet's second word holds them.
-        let words = self.slot(cell).map_or(0, |slot| self.sheets[18 * slot + 1]);
+        let words = self.slot(cell).map_or(0, |slot| self.sheets[slot][1]);
         words & 0x1ff_ffff
     }
 
@@ -160,4 +163,12 @@ impl Substrate {
         let place = |i: u32| (geometry.positions[i as usize].as_dvec3() - low) / size;
         geometry.triangles.iter().map(|triangle| triangle.map(place)).collect()
     }
+}
+
+/// From entries of two words, of which all voxels' first ones come first; the buffer may have room for more voxels.
+fn sheets(words: &[u32], of_voxel: usize, voxels: u64) -> Vec<Vec<u32>> {
+    let room = words.len() / of_voxel;
+    let entry = |slot: usize, index: usize| &words[2 * (index * room + slot)..][..2];
+    let voxel = |slot| (0..of_voxel / 2).flat_map(|index| entry(slot, index).to_vec()).collect();
+    (0..voxels as usize).map(voxel).collect()
 }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use voxlume::{Emission, Passes, Renderer, Request, Scene};
+use voxlume::{Emission, Passes, Renderer, Request, Scene, Value};
 use voxlume_tests::{gi, gpu, picture, plan_for, scene_from};
 
 fn request(output: &str) -> Request {
@@ -62,6 +62,38 @@ fn a_bulb_that_moves_by_parts_of_a_voxel_stays_as_bright() {
         let expected = PI * 10.0 * (0.03 / height).powi(2);
         expect(&floor_under(&bulb, ""), "diffuse", Emission::Sampled, expected, 0.04);
     }
+}
+
+/// Where voxels hold what is emitted, each side holds its own: a square that looks up gives the floor below it nothing, and one that
+/// looks down what its form factor says, although it fills only parts of the voxels at its border. A tile of pixels has 192 rays.
+#[test]
+fn gathered_emission_belongs_to_its_side() {
+    let square = |up: bool| {
+        let corners = [(-0.47, -0.47), (-0.47, 0.47), (0.47, 0.47), (0.47, -0.47)];
+        let corner = |&(x, z): &(f64, f64)| format!("({x}, 1, {z})");
+        let list: Vec<String> = if up {
+            corners.iter().map(corner).collect()
+        } else {
+            corners.iter().rev().map(corner).collect()
+        };
+        floor_under(
+            &format!(r#"(name: "square", material: "lamp", shape: Quad(corners: [{}])),"#, list.join(", ")),
+            "",
+        )
+    };
+    let found = |scene: &Scene| {
+        let gather = ("light".into(), "emission".into(), Value::Word("gather".into()));
+        let plan = plan_for(&gi(), scene, &Request { set: vec![gather], ..request("diffuse") });
+        assert_eq!(plan.emission, Emission::Gathered);
+        let mut renderer = Renderer::new(gpu(), plan, scene).unwrap();
+        renderer.render(scene, &scene.cameras[0], Passes::Changed).unwrap();
+        mean(&renderer, "diffuse")
+    };
+    assert_eq!(found(&square(true)), 0.0);
+    let of_side = 0.47 / 1.2209_f64.sqrt();
+    let expected = 10.0 * PI * 4.0 * of_side * of_side.atan() / PI;
+    let found = found(&square(false));
+    assert!((found / expected - 1.0).abs() < 0.05, "{found}, expected {expected}");
 }
 
 /// Sheets that look away give nothing, those of two sides do.

@@ -2,10 +2,11 @@
 // with its front towards −k, or both. About the voxel's centre, in voxels, a sheet is where q[k] = height + slope.x · q[k+1] +
 // slope.y · q[k+2]. Which squares of the voxel's face along k the surfaces cover says how much of it is there.
 
-// Of each voxel: as many sheets as it may have, and as many sides, whose materials follow, two in an entry.
+// Of each voxel: as many sheets as it may have, and as many sides, whose materials follow, two in an entry, and then what they emit, if voxels keep that.
 const SHEETS = 6u;
 const SIDES = 6u;
-const SHEET_ENTRIES = SHEETS + SIDES / 2;
+const FIRST_EMISSION = SHEETS + SIDES / 2;
+override SHEET_ENTRIES: u32 = FIRST_EMISSION;
 
 struct Sheet {
     // In [−1.5, 1.5], to touch the voxel.

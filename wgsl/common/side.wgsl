@@ -1,12 +1,13 @@
 // The sides of a voxel's surfaces, each with a radiance of its own: for each axis k that towards +k and that towards −k.
 
-import package::common::attributes::VoxelSurface;
+import package::common::attributes::{HAS_VOXEL_EMISSION, VoxelSurface};
 import package::common::conflict::{CONFLICT, CONFLICT_SUM};
-import package::common::sheet::{AXIS_SHIFT, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, SideMaterial, middle_of, sheet_normal, unpack_sheet, unpack_side_material};
+import package::common::radiance::unpack_radiance;
+import package::common::sheet::{AXIS_SHIFT, FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, SideMaterial, middle_of, sheet_normal, unpack_sheet, unpack_side_material};
 import package::common::reflectance::{reflectance_from, total_reflectance};
 import package::common::trace::{Apex, Share};
 
-// Of each voxel: as many sheets as it may have, those that are there first; then the material of each of its sides, packed.
+// Of each voxel: as many sheets as it may have, those that are there first; then the material of each of its sides, and what it emits, if voxels keep that.
 var<storage, read> sheets: array<vec2u>;
 
 // Entry number `index` of a voxel. All voxels' first entries come first, then all second ones: most voxels have no second sheet.
@@ -30,6 +31,8 @@ struct Side {
     // Whether the material is known; else what it reflects is the same from all directions.
     has_material: bool,
     material: SideMaterial,
+    // Gathered from voxels, W·m⁻²·sr⁻¹.
+    emission: vec3f,
 }
 
 // What a side reflects of light from one direction, to all sides together.
@@ -50,7 +53,7 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     if (step == 0 && words.y == 0) {
         // Too little of a surface for a sheet: one side along the mean normal.
         *at = 2 * SHEETS;
-        *side = Side(SIDES * slot, Apex(centre, surface.normal, share), surface.albedo, false, SideMaterial());
+        *side = Side(SIDES * slot, Apex(centre, surface.normal, share), surface.albedo, false, SideMaterial(), surface.emission);
         return any(surface.normal != vec3f(0.0));
     }
     if ((step & 1) == 1 && (words.y & HAS_BACK) == 0) {
@@ -71,6 +74,10 @@ fn next_side(cell: vec3u, slot: u32, surface: VoxelSurface, share: Share, at: pt
     if (CONFLICT == CONFLICT_SUM) {
         reflectance = saturate(total_reflectance(material.base_color, material.metallic, material.roughness));
     }
-    *side = Side(SIDES * slot + number, apex, reflectance, CONFLICT == CONFLICT_SUM, material);
+    var emission = vec3f(0.0);
+    if (HAS_VOXEL_EMISSION) {
+        emission = unpack_radiance(sheet_entry(slot, FIRST_EMISSION + number / 2)[number & 1]);
+    }
+    *side = Side(SIDES * slot + number, apex, reflectance, CONFLICT == CONFLICT_SUM, material, emission);
     return true;
 }

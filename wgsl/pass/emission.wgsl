@@ -4,7 +4,8 @@
 import package::common::attributes::voxel_surface;
 import package::common::dispatch::dispatch_index;
 import package::common::radiance::pack_radiance;
-import package::common::sheet::SIDES;
+import package::common::side::{Side, next_side};
+import package::common::trace::WHOLE;
 import package::common::voxels::level_cell;
 import package::emitters::SAMPLED;
 
@@ -15,9 +16,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
     var cell: vec3u;
     if (level_cell(slot, 0, &cell)) {
-        let emitted = pack_radiance(select(voxel_surface(slot).emission, vec3f(0.0), SAMPLED));
-        for (var i = 0u; i < SIDES; i++) {
-            direct[SIDES * slot + i] = emitted;
+        let surface = voxel_surface(slot);
+        var at = 0u;
+        var side: Side;
+        while (next_side(cell, slot, surface, WHOLE, &at, &side)) {
+            direct[side.index] = pack_radiance(select(side.emission, vec3f(0.0), SAMPLED));
         }
     }
 }

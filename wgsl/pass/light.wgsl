@@ -75,12 +75,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let surface = voxel_surface(slot);
-    // What gathers get from polygons they don't get from voxels.
-    let emission = select(surface.emission, vec3f(0.0), SAMPLED);
     let share = share_at(cell.xy ^ cell.zz, 8);
+    // What gathers get from polygons they don't get from voxels.
     var at = 0u;
     var side: Side;
     while (next_side(cell, slot, surface, share, &at, &side)) {
-        direct[side.index] = pack_radiance(emission + reflected(side));
+        direct[side.index] = pack_radiance(select(side.emission, vec3f(0.0), SAMPLED) + reflected(side));
     }
 }

@@ -4,8 +4,9 @@ import package::common::bands::triangle_voxel;
 import package::common::dispatch::dispatch_index;
 import package::common::fragment::{corners_of, fragment_at};
 import package::common::front::{COVERS, axis_squares, facet, front_triangles, side_fronts};
-import package::common::material::{base_color, materials, roughness_metallic};
-import package::common::sheet::{HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
+import package::common::material::{HAS_EMISSION, base_color, emission, materials, roughness_metallic};
+import package::common::radiance::pack_radiance;
+import package::common::sheet::{FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
 import package::common::voxels::level_cell;
 
 // As common/fronts.wgsl leaves them.
@@ -18,6 +19,7 @@ struct Shown {
     height: f32,
     slope: vec2f,
     material: SideMaterial,
+    emission: vec3f,
 }
 
 // What a triangle shows of itself in a voxel.
@@ -28,14 +30,19 @@ fn shown(triangle: u32, axis: u32, cell: vec3u) -> Shown {
     let material = materials[corners.material];
     let shine = roughness_metallic(material, f.uv, f.lod);
     let color = base_color(material, f.uv, f.lod).rgb;
-    return Shown(clamp(plane.height, -1.5, 1.5), plane.slope, SideMaterial(color, shine.x, shine.y));
+    var emitted = vec3f(0.0);
+    if (HAS_EMISSION) {
+        emitted = emission(material, f.uv, f.lod);
+    }
+    return Shown(clamp(plane.height, -1.5, 1.5), plane.slope, SideMaterial(color, shine.x, shine.y), emitted);
 }
 
 fn mixed(a: Shown, b: Shown, t: f32) -> Shown {
     let color = mix(a.material.base_color, b.material.base_color, t);
     let roughness = mix(a.material.roughness, b.material.roughness, t);
     let metallic = mix(a.material.metallic, b.material.metallic, t);
-    return Shown(mix(a.height, b.height, t), mix(a.slope, b.slope, t), SideMaterial(color, roughness, metallic));
+    let emitted = mix(a.emission, b.emission, t);
+    return Shown(mix(a.height, b.height, t), mix(a.slope, b.slope, t), SideMaterial(color, roughness, metallic), emitted);
 }
 
 fn side_words(first: u32) -> vec4u {
@@ -84,11 +91,19 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         let mean = side_shown(side_words(side_fronts(slot, side)), side / 2, cell);
         let material = pack_side_material(mean.material);
         var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
+        let emitted = pack_radiance(mean.emission);
         let materials_at = slot + (SHEETS + side / 2) * stride;
+        let emission_at = slot + (FIRST_EMISSION + side / 2) * stride;
         sheets[materials_at][side & 1] = material;
+        if (HAS_EMISSION) {
+            sheets[emission_at][side & 1] = emitted;
+        }
         if ((bits & TWO_SIDED) != 0 && ((sides >> (side ^ 1)) & 1) == 0) {
             bits |= HAS_BACK;
             sheets[materials_at][(side & 1) ^ 1] = material;
+            if (HAS_EMISSION) {
+                sheets[emission_at][(side & 1) ^ 1] = emitted;
+            }
         }
         sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits));
         at += stride;

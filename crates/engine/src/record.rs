@@ -45,7 +45,7 @@ impl Recorder<'_> {
                 Step::Copy { from, to } => {
                     if let (Some(from), Some(to)) = (self.resources.buffer(*from), self.resources.buffer(*to))
                     {
-                        encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size());
+                        encoder.copy_buffer_to_buffer(from, 0, to, 0, from.size().min(to.size()));
                     }
                 }
                 Step::Counted => {}

@@ -245,7 +245,7 @@ fn the_cornell_box_explained() {
     passes
       voxelize           nothing → voxels
                            runs once
-                           18 dispatches, 3 indirect dispatches
+                           21 dispatches, 3 indirect dispatches
       light              voxels → radiance
                            runs when these change: lights, parameters, voxels
                            1 indirect dispatch
@@ -269,8 +269,8 @@ fn the_cornell_box_explained() {
                            1 dispatch
 
     resources
-      occupancy          buffer                                    292.6 KiB
-      ranks              buffer                                    292.6 KiB
+      occupancy          buffer                                    356.6 KiB
+      ranks              buffer                                    356.6 KiB
       levels             buffer                                    256 B
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels

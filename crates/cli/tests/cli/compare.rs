@@ -296,7 +296,7 @@ fn tracers_and_scales_are_compared() {
     let rows = rows(&folder);
     let settings: Vec<_> =
         rows.iter().map(|row| (row["tracer"].as_str().unwrap(), row["scale"].as_u64().unwrap())).collect();
-    assert_eq!(settings, [("cones", 1), ("cones", 4), ("rays", 1), ("rays", 4)]);
+    assert_eq!(settings, [("rays", 1), ("rays", 4), ("cones", 1), ("cones", 4)]);
     let page = text(&folder, "out/report.html");
     assert!(page.contains("</svg>rays</li>") && page.contains("isotropic rgba16float 32³ rays 1/4:"));
     for (words, message) in [

@@ -26,8 +26,11 @@ const LISTED_WORDS: u32 = 16;
 /// Words of the triangles that a voxel's sides show: see wgsl/common/front.wgsl.
 const FRONT_STRIDE: u32 = 6 * 4 + 3;
 
-/// Bytes of a voxel's sheets, and of what its sides reflect: see wgsl/common/side.wgsl.
-pub(crate) const SHEET_BYTES: u64 = (6 + 3) * 8;
+/// Entries of 8 bytes for a voxel's sheets, the materials of its sides and, where voxels keep it, what they emit: see
+/// wgsl/common/sheet.wgsl.
+fn sheet_entries(emission: bool) -> u32 {
+    6 + if emission { 6 } else { 3 }
+}
 
 /// Voxels. A triangle with shorter edges is less than 39.1 voxel² large and 11.5 voxels wide and high: together less than
 /// 64 columns, the least for two bands in wgsl/common/bands.wgsl.
@@ -231,6 +234,7 @@ impl Voxels {
         let (_, all) = pass.grid().word_offsets();
         let level_bytes = u64::from(pass.grid().levels()) * LEVEL_RUN_BYTES;
         let stride = attribute_stride(pass.voxel_emission(), coverage);
+        let entries = sheet_entries(pass.voxel_emission());
         let walk_words = match walk {
             Walk::Leaps => 2 * pass.grid().leap_words(),
             Walk::Bricks => 0,
@@ -250,9 +254,10 @@ impl Voxels {
         part("cells", ResourceKind::PerCell(4));
         let attributes = part("attributes", ResourceKind::PerVoxel(u64::from(stride) * 4));
         let fronts = part("fronts", ResourceKind::PerVoxel(u64::from(FRONT_STRIDE) * 4));
-        part("sheets", ResourceKind::PerVoxel(SHEET_BYTES));
+        part("sheets", ResourceKind::PerVoxel(u64::from(entries) * 8));
         bundle.with("ATTRIBUTE_STRIDE", f64::from(stride));
         bundle.with("HAS_COVERAGE", f64::from(u8::from(coverage)));
+        bundle.with("SHEET_ENTRIES", f64::from(entries));
         bundle.with("TRIANGLE_BITS", f64::from(triangle_bits(triangles)));
         bundle.with_word("CONFLICT", conflict);
         pass.makes(bundle);

@@ -7,7 +7,7 @@ use voxlume_shader::BindingKind;
 pub enum Step {
     /// Fills a buffer with zeroes.
     Clear(usize),
-    /// Copies a buffer to the beginning of another that is at least as large.
+    /// Copies the beginning of a buffer to that of another, as much as both hold.
     Copy {
         /// From where.
         from: usize,
