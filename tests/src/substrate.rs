@@ -95,7 +95,8 @@ impl Substrate {
         };
         Substrate {
             grid: renderer.plan().grid.clone(),
-            occupancy: words("occupancy"),
+            // What rays walk through follows the bitmask.
+            occupancy: words("occupancy")[..renderer.plan().grid.word_offsets().1 as usize].to_vec(),
             ranks: words("ranks"),
             cells: held("cells", listed),
             levels: levels.collect(),

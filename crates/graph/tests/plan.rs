@@ -270,7 +270,7 @@ fn the_cornell_box_explained() {
 
     resources
       occupancy          buffer                                    356.6 KiB
-      ranks              buffer                                    356.6 KiB
+      ranks              buffer                                    292.6 KiB
       levels             buffer                                    256 B
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels

@@ -53,8 +53,11 @@ pub fn page(results: &Results, strips: &[Strip], bounds: &[Bound], date: &str, s
         html += "</section>\n";
     }
     figures::table(&mut html, results);
+    if pictures.are_reduced() {
+        html += "<p>Pictures on this page are JPEG. What was rendered is in the folder <code>images</code> beside it, as EXR and PNG.</p>\n";
+    }
     html += "</main>\n";
-    let data = serde_json::json!({ "pictures": pictures.list, "strips": scripts }).to_string();
+    let data = serde_json::json!({ "pictures": pictures.uris(), "strips": scripts }).to_string();
     // Within a script element only `<` could end it.
     let data = data.replace('<', "\\u003c");
     let _ = write!(
@@ -118,25 +121,32 @@ fn distinct<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     distinct
 }
 
-/// The table of all scenes, and one plot: the mean over scenes, and the worst.
+/// The table of all scenes, and one plot: for each setting the mean over scenes, and the worst.
 fn all_scenes(html: &mut String, results: &Results, overview: &Overview) {
     *html += &overview.html();
+    let _ = write!(html, "<section>\n<h2>All scenes: {}</h2>\n", escape(overview.plotted()));
+    let _ = write!(html, "<figure class=\"large\">{}</figure>", scenes_plot(results, overview).svg());
+    *html += "\n<p class=\"told\" aria-live=\"polite\"></p>\n";
+    legend(html, &series(results), &tracers(results));
+    *html += "<p>Of each setting: the mean over scenes, filled, and above it the worst scene, empty.</p>\n</section>\n";
+}
+
+fn scenes_plot<'a>(results: &Results, overview: &'a Overview) -> Plot<'a> {
     let (series, tracers) = (series(results), tracers(results));
-    let effect = overview.plotted();
-    let _ = write!(html, "<section>\n<h2>All scenes: {}</h2>\n<div class=\"plots\">", escape(effect));
-    for (which, error) in ["mean RMSE", "RMSE of the worst scene"].into_iter().enumerate() {
-        let points = overview.points(effect).map(|(row, cost, errors)| {
-            let row = &results.rows[row];
-            point(row, &series, &tracers, cost, errors[which], String::new())
-        });
-        let points = points.collect();
-        let cost = "mean time of all passes, ms";
-        let plot = Plot { cost, cost_text: mark, error, error_text: mark, points, joined: false };
-        let _ = write!(html, "<figure>{}</figure>", plot.svg());
-    }
-    *html += "</div>\n<p class=\"told\" aria-live=\"polite\"></p>\n";
-    legend(html, &series, &tracers);
-    *html += "</section>\n";
+    let points = overview.points(overview.plotted()).map(|(row, cost, [mean, worst])| {
+        let row = &results.rows[row];
+        let more = format!("mean of all scenes, worst {}, ", short(worst));
+        Point { worst: Some(worst), ..point(row, &series, &tracers, cost, mean, more) }
+    });
+    let (cost, error) = ("mean time of all passes, ms", "RMSE");
+    Plot { cost, cost_text: mark, error, error_text: mark, points: points.collect(), joined: false }
+}
+
+/// The plot of all scenes by itself, as an SVG file; `None` where there are fewer than two scenes.
+pub fn overview_plot(results: &Results) -> Option<String> {
+    let overview = Overview::of(results, &[])?;
+    let (series, tracers) = (series(results), tracers(results));
+    Some(scenes_plot(results, &overview).file(&series, &tracers))
 }
 
 /// A setting's mark in a plot.
@@ -147,6 +157,7 @@ fn point(row: &Row, series: &[(&str, &str)], tracers: &[&str], cost: f64, error:
         shape: tracers.iter().position(|tracer| *tracer == row.tracer).unwrap_or(0),
         cost,
         error,
+        worst: None,
         label: match row.scale {
             Some(scale) => format!("{} 1/{scale}", row.resolution),
             None => row.resolution.to_string(),

@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 
+use image::codecs::jpeg::JpegEncoder;
 use image::{ImageFormat, RgbImage};
 
 use crate::comparison::Comparison;
@@ -35,6 +36,17 @@ pub fn png(width: u32, height: u32, rgb: Vec<u8>) -> Result<Vec<u8>, PictureErro
     image.write_to(&mut file, ImageFormat::Png)?;
     Ok(file.into_inner())
 }
+
+/// The same picture as a JPEG file, a fraction as large, for where thousandths don't matter.
+pub(crate) fn jpeg(png: &[u8]) -> Result<Vec<u8>, PictureError> {
+    let image = image::load_from_memory_with_format(png, ImageFormat::Png)?.into_rgb8();
+    let mut file = Vec::new();
+    image.write_with_encoder(JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY))?;
+    Ok(file)
+}
+
+/// Of 100.
+const JPEG_QUALITY: u8 = 75;
 
 /// White where image and reference agree, red where the image is too bright, blue where too dark, full at `scale`;
 /// grey where a pixel doesn't count. Judged by the mean of the channels. Three bytes a pixel.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::axis::Axis;
+use crate::label::Labels;
 use crate::pareto::pareto_front;
 
 /// A plot of points on logarithmic axes.
@@ -27,7 +28,9 @@ pub(crate) struct Point {
     pub(crate) shape: usize,
     pub(crate) cost: f64,
     pub(crate) error: f64,
-    /// Beside the point.
+    /// Of several such points the worst one's error: an empty mark above, joined to this one.
+    pub(crate) worst: Option<f64>,
+    /// Beside the point, where it differs among points and there is room.
     pub(crate) label: String,
     /// In the tooltip.
     pub(crate) title: String,
@@ -59,7 +62,7 @@ impl Plot<'_> {
     pub(crate) fn svg(&self) -> String {
         let shown: Vec<&Point> = self.points.iter().filter(|p| p.cost > 0.0 && p.error > 0.0).collect();
         let costs: Vec<f64> = shown.iter().map(|point| point.cost).collect();
-        let errors: Vec<f64> = shown.iter().map(|point| point.error).collect();
+        let errors: Vec<f64> = shown.iter().flat_map(|p| [Some(p.error), p.worst]).flatten().collect();
         let (Some(x), Some(y)) = (Axis::around(&costs), Axis::around(&errors)) else {
             return "<p>Nothing to plot.</p>".into();
         };
@@ -113,6 +116,9 @@ impl Plot<'_> {
         } else {
             let _ = write!(svg, "<path class=\"front\" d=\"{stairs}\"/>");
         }
+        let marks: Vec<(f64, f64)> = shown.iter().map(|p| (at_x(p.cost), at_y(p.error))).collect();
+        let mut labels = Labels::among(&marks, [left, top, WIDTH - right, HEIGHT - bottom]);
+        let says = shown.iter().any(|point| point.label != shown[0].label);
         for (point, front) in shown.iter().zip(front) {
             let (h, v) = (at_x(point.cost), at_y(point.error));
             let _ = write!(svg, "<g class=\"point s{}\" tabindex=\"0\">", point.series % SERIES);
@@ -121,15 +127,15 @@ impl Plot<'_> {
             if front {
                 let _ = write!(svg, "<circle class=\"ring\" cx=\"{h:.1}\" cy=\"{v:.1}\" r=\"8\"/>");
             }
-            // Towards the inside near the right edge.
-            let (label, anchor) = if h > WIDTH - 60.0 { (h - 9.0, "end") } else { (h + 9.0, "start") };
-            let _ = write!(
-                svg,
-                "{}<text x=\"{label:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text></g>",
-                mark_at(point.shape, h, v),
-                v - 6.0,
-                escape(&point.label)
-            );
+            if let Some(worst) = point.worst.map(at_y) {
+                let _ = write!(svg, "<path class=\"span\" d=\"M{h:.1} {v:.1}V{worst:.1}\"/>");
+                let _ = write!(svg, "<g class=\"worst\">{}</g>", mark_at(point.shape, h, worst));
+            }
+            svg += &mark_at(point.shape, h, v);
+            if let Some((x, y)) = labels.place((h, v), &point.label).filter(|_| says) {
+                let _ = write!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", escape(&point.label));
+            }
+            svg += "</g>";
         }
         svg += "</svg>";
         match self.points.len() - shown.len() {
@@ -142,6 +148,57 @@ impl Plot<'_> {
         }
     }
 }
+
+impl Plot<'_> {
+    /// The picture as a file of its own, with what its colours and forms mean beneath.
+    pub(crate) fn file(&self, series: &[(&str, &str)], tracers: &[&str]) -> String {
+        let height = HEIGHT + LEGEND_LINE * (series.len().max(tracers.len() + 1)) as f64;
+        let mut svg = self.svg().replacen(
+            &format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\""),
+            &format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\""),
+            1,
+        );
+        let style = include_str!("page.css").lines().filter(|line| {
+            ["svg ", ".grid", ".front", ".point", ".span", ".s0", ".s4", ":root"]
+                .iter()
+                .any(|of| line.starts_with(of))
+        });
+        let style: String = style.collect();
+        let at = svg.find('>').map_or(0, |end| end + 1);
+        svg.insert_str(
+            at,
+            &format!("<style>{style}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"),
+        );
+        let mut legend = String::new();
+        let line = |index: usize| HEIGHT + LEGEND_LINE * index as f64;
+        for (index, (format, encoding)) in series.iter().enumerate() {
+            let (series, mark, y) = (index % SERIES, mark_at(0, 66.0, line(index)), line(index) + 4.0);
+            let name = escape(&format!("{format} {encoding}"));
+            let _ = write!(
+                legend,
+                "<g class=\"point s{series}\">{mark}</g><text x=\"76\" y=\"{y}\">{name}</text>"
+            );
+        }
+        let words = tracers.iter().enumerate().map(|(shape, tracer)| (shape, "", *tracer));
+        for (index, (shape, class, word)) in
+            words.chain([(0, "worst", "worst scene; filled: mean")]).enumerate()
+        {
+            let (mark, y) = (mark_at(shape, 266.0, line(index)), line(index) + 4.0);
+            let _ = write!(
+                legend,
+                "<g class=\"point\"><g class=\"{class}\">{mark}</g></g><text x=\"276\" y=\"{y}\">{}</text>",
+                escape(word)
+            );
+        }
+        match svg.rfind("</svg>") {
+            Some(end) => format!("{}{legend}</svg>\n", &svg[..end]),
+            None => svg,
+        }
+    }
+}
+
+/// Height of a line of a file's legend.
+const LEGEND_LINE: f64 = 18.0;
 
 /// A line through the points of each series, shape and label.
 fn curves(points: &[&Point], at_x: impl Fn(f64) -> f64, at_y: impl Fn(f64) -> f64) -> String {
@@ -181,7 +238,8 @@ mod tests {
             shape: *cost as usize,
             cost: *cost,
             error: *error,
-            label: "64<".into(),
+            worst: None,
+            label: format!("{cost}<"),
             title: format!("{cost}"),
         };
         let points = points.iter().map(point).collect();
@@ -193,7 +251,7 @@ mod tests {
         let svg = plot(&[(1.0, 2.0), (2.0, 1.0), (3.0, 3.0)]);
         assert_eq!(svg.matches("class=\"ring\"").count(), 2);
         assert_eq!(svg.matches("Pareto front</title>").count(), 2);
-        assert_eq!(svg.matches(">64&lt;</text>").count(), 3);
+        assert_eq!(svg.matches("&lt;</text>").count(), 3);
         assert!(svg.contains("<title>3</title>"));
         assert_eq!([svg.matches("<rect").count(), svg.matches("h-10.8z").count()], [1, 1]);
     }

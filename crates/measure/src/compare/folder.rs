@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use voxlume::Fault;
-use voxlume_report::{Bound, Results, Row, Strip, csv, page, utc_now};
+use voxlume_report::{Bound, Results, Row, Strip, csv, overview_plot, page, utc_now};
 
 use crate::Error;
 use crate::outfile::{self, OutFile};
@@ -88,8 +88,12 @@ impl Folder {
         let json = results.to_json().map_err(|error| Error::work(error.to_string()))?;
         let html = page(results, &strips, bounds, &utc_now(), subtitle);
         let files = [("results.json", json), ("results.csv", csv(results)), ("report.html", html)];
-        let out = files.map(|(name, text)| Ok((OutFile::new(&self.0.join(name))?, text.into_bytes())));
-        outfile::write(&out.into_iter().collect::<Result<Vec<_>, Error>>()?)
+        let plot = overview_plot(results).map(|svg| ("overview.svg", svg));
+        let out = files
+            .into_iter()
+            .chain(plot)
+            .map(|(name, text)| Ok((OutFile::new(&self.0.join(name))?, text.into_bytes())));
+        outfile::write(&out.collect::<Result<Vec<_>, Error>>()?)
     }
 
     /// A finished cell's pictures, for the page.

@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use voxlume::Fault;
 use voxlume_report::Bound;
 
 use crate::Error;
@@ -36,11 +37,12 @@ const BOUNDS: [(&str, [[f64; 3]; 5]); 5] = [
 pub fn scenes(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let files: Vec<PathBuf> = SCENES.iter().map(|name| folder.join(name)).collect();
     match files.iter().find(|file| !file.is_file()) {
-        Some(missing) => Err(Error::work(format!(
+        Some(missing) => Err(Fault::new(format!(
             "the suite lacks `{}`; it needs {} in one folder",
             missing.display(),
             SCENES.join(", ")
-        ))),
+        ))
+        .into()),
         None => Ok(files),
     }
 }

@@ -32,6 +32,7 @@ pub fn stability_page(stability: &Stability, date: &str) -> String {
                 shape: tracers.iter().position(|tracer| *tracer == row.tracer)?,
                 cost: row.at?.1,
                 error: row.value.abs(),
+                worst: None,
                 label: row.resolution.to_string(),
                 title: format!(
                     "{} {} {}³, {}: {}",
