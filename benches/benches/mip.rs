@@ -9,12 +9,13 @@ use std::path::Path;
 use voxlume::{
     Formats, Gpu, Passes, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts, Value, plan,
 };
+use voxlume_benches::shared_scene;
 
 const FRAMES: usize = 7;
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let path = root.join("../shared/scenes/sponza.glb");
+    let path = shared_scene("sponza");
     if !path.exists() {
         println!("skipped: there is no {}", path.display());
         return;
