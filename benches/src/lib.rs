@@ -17,9 +17,9 @@ pub fn enter_repository() -> io::Result<()> {
     std::env::set_current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
 }
 
-/// A scene in the folder of scenes beside the repository, which may not be there.
+/// A scene in the folder of scenes beside the repository, which may not be there; from the repository.
 pub fn shared_scene(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes").join(name).with_extension("glb")
+    Path::new("../shared/scenes").join(name).with_extension("glb")
 }
 
 /// Removes a folder if it is there.

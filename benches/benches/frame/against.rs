@@ -41,7 +41,7 @@ pub fn table(arguments: &Arguments, other: &Path, device: &str) -> Result<(), St
         [other.to_owned(), arguments.program()].map(|path| Program { path, lacks: BTreeSet::new() });
     for program in &programs {
         if !program.path.is_file() {
-            let build = "`cargo build --release -p voxlume-cli` makes this build's";
+            let build = "`cargo build --release -p voxlume-cli` makes target/release/voxlume";
             return Err(format!("there is no program {}; {build}", program.path.display()));
         }
     }
@@ -54,11 +54,15 @@ pub fn table(arguments: &Arguments, other: &Path, device: &str) -> Result<(), St
     let numbers = [other.as_str(), &this, "least", "median", "greatest"].map(str::to_owned);
     table::head(&["frame".to_owned()], &numbers);
     let mut failed = Vec::new();
-    for (label, words) in shots(arguments)? {
+    let mut absent = BTreeSet::new();
+    for (label, words) in shots(arguments, &mut absent)? {
         match rounds(&mut programs, &label, &words, arguments, device) {
             Ok(rounds) => table::row([&label].into_iter().chain(&cells(&rounds))),
             Err(message) => failed.push(format!("{label}: {message}")),
         }
+    }
+    for path in absent {
+        println!("\nskipped: there is no {}", path.display());
     }
     for Program { path, lacks } in &programs {
         for option in lacks {
@@ -69,7 +73,7 @@ pub fn table(arguments: &Arguments, other: &Path, device: &str) -> Result<(), St
 }
 
 /// The frames that are selected.
-fn shots(arguments: &Arguments) -> Result<Vec<(String, Vec<Word>)>, String> {
+fn shots(arguments: &Arguments, absent: &mut BTreeSet<PathBuf>) -> Result<Vec<(String, Vec<Word>)>, String> {
     let formats = or(&arguments.formats, &["six_face".to_owned()]);
     let tracers: Vec<Option<&String>> = match arguments.tracers.as_slice() {
         [] => vec![None],
@@ -84,7 +88,7 @@ fn shots(arguments: &Arguments) -> Result<Vec<(String, Vec<Word>)>, String> {
             continue;
         }
         if !path.is_file() {
-            eprintln!("skipped: there is no {}", path.display());
+            absent.insert(path);
             continue;
         }
         for [width, height] in or(&arguments.sizes, &[[640, 360]]) {
@@ -168,7 +172,7 @@ impl Program {
             match words.iter().find(known) {
                 Some((option, _)) if self.lacks.insert((*option).to_owned()) => {}
                 _ => {
-                    let error = said.lines().find(|line| line.starts_with("error")).unwrap_or("it failed");
+                    let error = said.lines().rfind(|line| line.starts_with("error")).unwrap_or("it failed");
                     return Err(format!("{}: {error}", self.path.display()));
                 }
             }

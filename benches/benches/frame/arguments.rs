@@ -16,7 +16,8 @@ pub struct Arguments {
     #[arg(long, value_name = "TABLES", value_delimiter = ',')]
     tables: Vec<Table>,
 
-    /// Scenes by name, or files; cornell and sponza_lite unless given. Growth is that of the first
+    /// Files, or names: cornell, lights, moving, cornell_blender, cornell_double_sided, sibenik, sponza, sponza_lite; cornell
+    /// and sponza_lite unless given. Growth is that of the first
     #[arg(long, value_name = "SCENES", value_delimiter = ',', value_parser = scene)]
     pub scenes: Vec<PathBuf>,
 

@@ -8,7 +8,7 @@ use voxlume_measure::Settings;
 use voxlume_measure::compare::Sweep;
 use voxlume_report::Outcome;
 
-use crate::timed::Timer;
+use crate::timed::{Setting, Timer};
 
 const FOLDER: &str = "target/bench/frame";
 
@@ -19,14 +19,8 @@ pub fn forget() -> Result<(), String> {
 }
 
 /// The root mean square error of `final`, linear radiance.
-pub fn rmse(
-    timer: &Timer,
-    scene: &Path,
-    format: &str,
-    tracer: &str,
-    resolution: u32,
-    size: [u32; 2],
-) -> Result<f64, String> {
+pub fn rmse(timer: &Timer, scene: &Path, setting: &Setting<'_>) -> Result<f64, String> {
+    let Setting { format, tracer, resolution, size } = *setting;
     let sweep = Sweep {
         settings: Settings {
             registry: &timer.registry,

@@ -1,12 +1,13 @@
 //! Scenes × formats × tracers × grids × sizes.
 
 use clap::ValueEnum;
+use voxlume::Scene;
 use voxlume_benches::table;
 
 use crate::arguments::{Arguments, Change, format_names, or, scene, tracer_names};
 use crate::error::{self, rmse};
 use crate::scenes;
-use crate::timed::{Timer, heads};
+use crate::timed::{Setting, Timer, heads};
 
 /// Prints the table.
 pub fn table(timer: &Timer, arguments: &Arguments) -> Result<(), String> {
@@ -15,16 +16,16 @@ pub fn table(timer: &Timer, arguments: &Arguments) -> Result<(), String> {
     let tracers = or(&arguments.tracers, &tracer_names());
     let resolutions = or(&arguments.resolutions, &[128]);
     let sizes = or(&arguments.sizes, &[[320, 180]]);
+    let mut numbers = heads(&changes);
     if arguments.errors {
         error::forget()?;
+        numbers.push("RMSE".to_owned());
     }
-    let mut numbers = heads(&changes);
-    numbers.extend(arguments.errors.then(|| "RMSE".to_owned()));
     table::head(&["scene", "format", "tracer", "grid", "pixels"].map(str::to_owned), &numbers);
     let mut absent = Vec::new();
     for path in or(&arguments.scenes, &[scene("cornell")?, scene("sponza_lite")?]) {
         if !path.is_file() {
-            absent.push(format!("skipped: there is no {}", path.display()));
+            absent.push(path);
             continue;
         }
         let scene = scenes::load(&path)?;
@@ -32,31 +33,18 @@ pub fn table(timer: &Timer, arguments: &Arguments) -> Result<(), String> {
             for &size in &sizes {
                 for tracer in &tracers {
                     for format in &formats {
-                        let request = timer.request(format, tracer, resolution, size);
+                        let setting = Setting { format, tracer, resolution, size };
                         // Without volumes all formats are the same frame.
-                        let reads_format = timer.reads_format(&scene, &request).unwrap_or(true);
-                        let mut cells = vec![
-                            scene.name.clone(),
-                            if reads_format { format.clone() } else { "any".to_owned() },
-                            tracer.clone(),
-                            format!("{resolution}³"),
-                            format!("{}x{}", size[0], size[1]),
-                        ];
-                        eprintln!("{}", cells.join(" "));
-                        match timer.row(&scene, &request, &changes) {
-                            Ok(times) => cells.extend(times.iter().map(ToString::to_string)),
-                            Err(message) => {
-                                cells.push(format!("refused: {}", first_line(&message)));
-                                cells.resize(5 + heads(&changes).len(), "–".into());
-                            }
-                        }
+                        let reads_format = timer.reads_format(&scene, &setting).unwrap_or(true);
+                        let format = if reads_format { format } else { "any" };
+                        let mut row = cells(timer, &scene, &setting, format, &changes);
                         if arguments.errors {
-                            cells.push(match rmse(timer, &path, format, tracer, resolution, size) {
-                                Ok(error) => format!("{error:.4}"),
-                                Err(message) => first_line(&message),
-                            });
+                            let error = rmse(timer, &path, &setting);
+                            row.push(
+                                error.map_or_else(|message| first_line(&message), |e| format!("{e:.4}")),
+                            );
                         }
-                        table::row(&cells);
+                        table::row(&row);
                         if !reads_format {
                             break;
                         }
@@ -65,10 +53,31 @@ pub fn table(timer: &Timer, arguments: &Arguments) -> Result<(), String> {
             }
         }
     }
-    for line in absent {
-        println!("\n{line}");
+    for path in absent {
+        println!("\nskipped: there is no {}", path.display());
     }
     Ok(())
+}
+
+/// A row's words and times.
+fn cells(
+    timer: &Timer,
+    scene: &Scene,
+    setting: &Setting<'_>,
+    format: &str,
+    changes: &[Change],
+) -> Vec<String> {
+    let Setting { tracer, resolution, size: [width, height], .. } = *setting;
+    let (grid, pixels) = (format!("{resolution}³"), format!("{width}x{height}"));
+    let mut cells = vec![scene.name.clone(), format.to_owned(), tracer.to_owned(), grid, pixels];
+    eprintln!("{}", cells.join(" "));
+    let words = cells.len();
+    match timer.row(scene, &timer.request(setting), changes) {
+        Ok(times) => cells.extend(times.iter().map(ToString::to_string)),
+        Err(message) => cells.push(format!("refused: {}", first_line(&message))),
+    }
+    cells.resize(words + heads(changes).len(), "–".to_owned());
+    cells
 }
 
 /// Of a message, for a cell.

@@ -8,7 +8,7 @@ use voxlume_benches::table::{self, digits};
 use crate::arguments::{Arguments, Change, Table, format_names, or, scene, tracer_names};
 use crate::frames::first_line;
 use crate::scenes::{self, Room};
-use crate::timed::{Time, Timer, heads};
+use crate::timed::{Setting, Time, Timer, heads};
 
 /// What grows, and how far.
 pub struct Growth {
@@ -42,13 +42,17 @@ impl Growth {
         let grid = or(&arguments.resolutions, &[128])[0];
         let size = or(&arguments.sizes, &[[320, 180]])[0];
         let format = or(&arguments.formats, &format_names()).remove(0);
-        println!("Growth of {} in `{format}`, {grid}³, {}x{}:\n", scene.name, size[0], size[1]);
+        let still = [("grid", format!("{grid}³")), ("pixels", format!("{}x{}", size[0], size[1]))];
+        let still = still.into_iter().filter(|(what, _)| *what != self.head).map(|(_, value)| value);
+        let still: Vec<String> = [scene.name.clone(), format.clone()].into_iter().chain(still).collect();
+        println!("Growth with the {}: {}\n", self.head, still.join(", "));
         table::head(&["tracer", self.head].map(str::to_owned), &heads(&changes));
         let mut refusals = Vec::new();
         for tracer in or(&arguments.tracers, &tracer_names()) {
             let mut before: Option<Vec<Time>> = None;
             for step in self.steps {
-                let request = timer.request(&format, &tracer, grid, size);
+                let setting = Setting { format: &format, tracer: &tracer, resolution: grid, size };
+                let request = timer.request(&setting);
                 let (label, scene, request) = (self.case)(&scene, request, *step)?;
                 eprintln!("{tracer}, {}: {label}", self.head);
                 let times = match timer.row(&scene, &request, &changes) {

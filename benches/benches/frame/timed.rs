@@ -28,6 +28,15 @@ impl fmt::Display for Time {
     }
 }
 
+/// How a scene is rendered.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    pub format: &'a str,
+    pub tracer: &'a str,
+    pub resolution: u32,
+    pub size: [u32; 2],
+}
+
 /// What frames are timed with.
 #[derive(Debug)]
 pub struct Timer {
@@ -51,7 +60,8 @@ pub fn heads(changes: &[Change]) -> Vec<String> {
 
 impl Timer {
     /// What a plan is asked for.
-    pub fn request(&self, format: &str, tracer: &str, resolution: u32, [width, height]: [u32; 2]) -> Request {
+    pub fn request(&self, setting: &Setting<'_>) -> Request {
+        let Setting { format, tracer, resolution, size: [width, height] } = *setting;
         Request {
             format: Some(format.to_owned()),
             tracer: Some(tracer.to_owned()),
@@ -62,8 +72,8 @@ impl Timer {
     }
 
     /// Whether the format changes anything: tracers that read voxels alone leave its volumes out.
-    pub fn reads_format(&self, scene: &Scene, request: &Request) -> Result<bool, String> {
-        let plan = self.plan(scene, request)?;
+    pub fn reads_format(&self, scene: &Scene, setting: &Setting<'_>) -> Result<bool, String> {
+        let plan = self.plan(scene, &self.request(setting))?;
         Ok(plan.resources.iter().any(|resource| matches!(resource.kind, ResourceKind::Volume { .. })))
     }
 
