@@ -10,8 +10,9 @@ use std::sync::atomic::AtomicBool;
 
 use voxlume::Pipeline;
 use voxlume::Registry;
+use voxlume_benches::{Stages, enter_repository, remove_folder};
+use voxlume_measure::Settings;
 use voxlume_measure::compare::Sweep;
-use voxlume_measure::{Progress, Settings};
 use voxlume_report::{Results, against, table};
 
 const FOLDER: &str = "target/bench/compare";
@@ -40,12 +41,9 @@ fn main() -> ExitCode {
 }
 
 fn run(save: bool) -> Result<(), Box<dyn Error>> {
-    std::env::set_current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))?;
+    enter_repository()?;
     // With no finished cell there, all are timed.
-    match std::fs::remove_dir_all(Path::new(FOLDER).join("cells")) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error.into()),
-        _ => {}
-    }
+    remove_folder(&Path::new(FOLDER).join("cells"))?;
     let baseline = match std::fs::read_to_string(BASELINE) {
         Ok(text) if !save => Some(Results::parse(&text)?),
         _ => None,
@@ -86,17 +84,4 @@ fn run(save: bool) -> Result<(), Box<dyn Error>> {
         print!("\nsince the baseline:\n{}", against(&results, &baseline));
     }
     Ok(())
-}
-
-/// Tells on stderr of each piece of work.
-struct Stages;
-
-impl Progress for Stages {
-    fn stage(&mut self, what: String) {
-        eprintln!("{what}");
-    }
-
-    fn repeated(&mut self, _: String) {}
-
-    fn share(&mut self, _: &str, _: f32) {}
 }

@@ -9,19 +9,20 @@ use std::path::Path;
 use voxlume::{
     Formats, Gpu, Passes, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts, Value, plan,
 };
+use voxlume_benches::{enter_repository, shared_scene};
 
 const FRAMES: usize = 7;
 
 fn main() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let path = root.join("../shared/scenes/sponza.glb");
+    enter_repository().expect("the repository");
+    let path = shared_scene("sponza");
     if !path.exists() {
         println!("skipped: there is no {}", path.display());
         return;
     }
     let resolution = std::env::args().skip(1).find_map(|argument| argument.parse().ok()).unwrap_or(128);
     let scene = Scene::load(&path).expect("the sample scene");
-    let pipeline = Pipeline::load(&root.join("pipelines/gi.ron")).expect("the default pipeline");
+    let pipeline = Pipeline::load(Path::new("pipelines/gi.ron")).expect("the default pipeline");
     let gpu = Gpu::open(None).expect("a device");
     println!("{}, {resolution}³, medians of {FRAMES} frames after one of warm-up, ms", gpu.info.name);
     println!("format     active voxels  all cells  ratio");

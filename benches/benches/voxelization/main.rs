@@ -8,6 +8,7 @@ mod table;
 use std::process::ExitCode;
 
 use voxlume::Gpu;
+use voxlume_benches::enter_repository;
 
 use crate::arguments::{Arguments, CHOICES};
 
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), String> {
+    enter_repository().map_err(|error| error.to_string())?;
     let gpu = Gpu::open(None).map_err(|error| error.to_string())?;
     let kind = if gpu.info.device_type == voxlume::wgpu::DeviceType::Cpu { "software device" } else { "GPU" };
     println!("{}, {kind}; milliseconds, median of {}\n", gpu.info.name, arguments.repeat);

@@ -1,11 +1,12 @@
 //! The table's scenes: files beside the repository, and meshes made here.
 
 use std::f32::consts::TAU;
-use std::path::Path;
 
-use glam::{DAffine3, DVec3, Vec2, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 use voxlume::scene::{Instance, Material, Mesh};
 use voxlume::{Camera, Scene};
+use voxlume_benches::shared_scene;
+use voxlume_benches::tube::{push, tube};
 
 /// All of them.
 pub const NAMES: [&str; 6] = ["triangle", "sponza", "bunny", "dragon", "hairball", "asian"];
@@ -17,8 +18,7 @@ pub fn load(name: &str) -> Result<Option<Scene>, String> {
         "hairball" => hairball(),
         "asian" => asian(),
         file => {
-            let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes");
-            let path = folder.join(file).with_extension("glb");
+            let path = shared_scene(file);
             return match path.exists() {
                 true => Ok(Some(with_camera(Scene::load(&path).map_err(|faults| faults.to_string())?)?)),
                 false => Ok(None),
@@ -109,23 +109,4 @@ fn asian() -> Mesh {
     }
     tube(&mut mesh, 0, rings, sides);
     mesh
-}
-
-fn push(mesh: &mut Mesh, position: Vec3, normal: Vec3) {
-    mesh.positions.push(position);
-    mesh.normals.push(normal);
-    mesh.tangents.push(normal.any_orthonormal_vector().extend(1.0));
-    mesh.uvs.push(Vec2::ZERO);
-}
-
-/// Two triangles for each quad between rings of vertices.
-fn tube(mesh: &mut Mesh, first: u32, segments: u32, sides: u32) {
-    for ring in 0..segments {
-        for side in 0..sides {
-            let at = |ring: u32, side: u32| first + ring * sides + side % sides;
-            let [a, b, c, d] =
-                [at(ring, side), at(ring, side + 1), at(ring + 1, side), at(ring + 1, side + 1)];
-            mesh.triangles.extend([[a, b, c], [b, d, c]]);
-        }
-    }
 }
