@@ -130,9 +130,38 @@ impl Substrate {
 
     /// The attribute sums of a voxel, if it is occupied.
     pub fn sums(&self, cell: UVec3) -> Option<&[u32]> {
+        self.voxels().nth(self.slot(cell)?)
+    }
+
+    /// A voxel's place among the occupied ones.
+    fn slot(&self, cell: UVec3) -> Option<usize> {
         let (word, bit) = self.place(cell, 0);
         let below = (self.occupancy[word] & ((1 << bit) - 1)).count_ones();
-        self.is_set(cell, 0).then(|| self.voxels().nth((self.ranks[word] + below) as usize))?
+        self.is_set(cell, 0).then_some((self.ranks[word] + below) as usize)
+    }
+
+    /// Which of the 5 × 5 squares of a voxel's face along an axis its surfaces cover, the first row along the next axis; `None` if
+    /// it has no sheet there.
+    pub fn squares(&self, cell: UVec3, axis: u32) -> Option<[bool; 25]> {
+        let entries = &self.entries(cell)?[..2 * 6];
+        let bits = entries.chunks_exact(2).map(|sheet| sheet[1]);
+        let bits = bits.into_iter().find(|bits| bits >> 31 == 1 && bits >> 25 & 3 == axis)?;
+        Some(std::array::from_fn(|square| bits >> square & 1 == 1))
+    }
+
+    /// What each of a voxel's six sides reflects: towards +x, −x, +y and so on.
+    pub fn side_reflectances(&self, cell: UVec3) -> Option<[DVec3; 6]> {
+        let words = &self.entries(cell)?[2 * 6..];
+        let channel = |word: u32, shift: u32, most: u32| f64::from(word >> shift & most) / f64::from(most);
+        Some(std::array::from_fn(|side| {
+            let word = words[side];
+            DVec3::new(channel(word, 0, 2047), channel(word, 11, 2047), channel(word, 22, 1023))
+        }))
+    }
+
+    /// A voxel's part of the sheets, laid out as wgsl/common/sheet.wgsl says: six sheets of two words, and a word for each side.
+    fn entries(&self, cell: UVec3) -> Option<&[u32]> {
+        self.sheets[1].chunks_exact(2 * 9).nth(self.slot(cell)?)
     }
 
     /// The attribute sums of each occupied voxel.
