@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use voxlume::{Gpu, Passes, Picture, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts};
+use voxlume::{Gpu, Passes, Picture, Pipeline, Plan, Registry, Renderer, Request, Scene, SceneFacts, Value};
 
 /// The repository's root.
 pub fn root() -> PathBuf {
@@ -55,4 +55,27 @@ pub fn render(pipeline: &Pipeline, scene: &Scene, request: &Request) -> Renderer
 /// There is no such image, or the device is lost.
 pub fn picture(renderer: &Renderer<'_>, name: &str) -> Picture {
     renderer.picture(name).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// An image of `gi` from the scene's first camera, 32 × 32 pixels, with these parameters: pass, name, value.
+///
+/// # Panics
+/// The scene is at fault, or the device.
+pub fn image(scene: &Scene, output: &str, resolution: u32, set: &[(&str, &str, f64)]) -> Picture {
+    let number = |(pass, name, value): &(&str, &str, f64)| {
+        ((*pass).to_owned(), (*name).to_owned(), Value::Number(*value))
+    };
+    let request = Request {
+        resolution: Some(resolution),
+        output: Some(output.into()),
+        set: set.iter().map(number).collect(),
+        ..Request::image(32, 32)
+    };
+    picture(&render(&gi(), scene, &request), output)
+}
+
+/// The mean of each of an image's first three channels.
+pub fn mean(picture: &Picture) -> [f64; 3] {
+    let sum = |channel: usize| picture.pixels.iter().map(|pixel| f64::from(pixel[channel])).sum::<f64>();
+    [0, 1, 2].map(|channel| sum(channel) / picture.pixels.len() as f64)
 }

@@ -137,17 +137,31 @@ impl Substrate {
         self.voxels().nth(self.slot(cell)?)
     }
 
-    /// Which of 5 × 5 squares of its face the first sheet of a voxel covers, a bit each, in rows; none if it isn't occupied.
-    pub fn squares(&self, cell: UVec3) -> u32 {
-        // A sheet's second word holds them.
-        let words = self.slot(cell).map_or(0, |slot| self.sheets[slot][1]);
-        words & 0x1ff_ffff
-    }
-
+    /// A voxel's place among the occupied ones.
     fn slot(&self, cell: UVec3) -> Option<usize> {
         let (word, bit) = self.place(cell, 0);
         let below = (self.occupancy[word] & ((1 << bit) - 1)).count_ones();
         self.is_set(cell, 0).then_some((self.ranks[word] + below) as usize)
+    }
+
+    /// Which of the 5 × 5 squares of a voxel's face along an axis its surfaces cover, the first row along the next axis; `None` if
+    /// it has no sheet there.
+    pub fn squares(&self, cell: UVec3, axis: u32) -> Option<[bool; 25]> {
+        let entries = &self.sheets[self.slot(cell)?][..2 * 6];
+        let bits = entries.chunks_exact(2).map(|sheet| sheet[1]);
+        let bits = bits.into_iter().find(|bits| bits >> 31 == 1 && bits >> 25 & 3 == axis)?;
+        Some(std::array::from_fn(|square| bits >> square & 1 == 1))
+    }
+
+    /// The base colour of each of a voxel's six sides: towards +x, −x, +y and so on.
+    pub fn side_colors(&self, cell: UVec3) -> Option<[DVec3; 6]> {
+        let words = &self.sheets[self.slot(cell)?][2 * 6..];
+        let channel =
+            |word: u32, shift: u32, most: u32| (f64::from(word >> shift & most) / f64::from(most)).powi(2);
+        Some(std::array::from_fn(|side| {
+            let word = words[side];
+            DVec3::new(channel(word, 0, 511), channel(word, 9, 511), channel(word, 18, 255))
+        }))
     }
 
     /// The attribute sums of each occupied voxel.

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use voxlume::{Emission, Passes, Renderer, Request, Scene, Value};
-use voxlume_tests::{gi, gpu, picture, plan_for, scene_from};
+use voxlume_tests::{form_factor, gi, gpu, mean, picture, plan_for, scene_from};
 
 fn request(output: &str) -> Request {
     Request { resolution: Some(64), output: Some(output.into()), ..Request::image(32, 32) }
@@ -24,9 +24,8 @@ fn floor_under(things: &str, lights: &str) -> Scene {
 }
 
 /// The mean of an image's first channel.
-fn mean(renderer: &Renderer<'_>, name: &str) -> f64 {
-    let picture = picture(renderer, name);
-    picture.pixels.iter().map(|pixel| f64::from(pixel[0])).sum::<f64>() / picture.pixels.len() as f64
+fn red(renderer: &Renderer<'_>, name: &str) -> f64 {
+    mean(&picture(renderer, name))[0]
 }
 
 fn expect(scene: &Scene, output: &str, emission: Emission, expected: f64, tolerance: f64) {
@@ -34,7 +33,7 @@ fn expect(scene: &Scene, output: &str, emission: Emission, expected: f64, tolera
     assert_eq!(plan.emission, emission);
     let mut renderer = Renderer::new(gpu(), plan, scene).unwrap();
     renderer.render(scene, &scene.cameras[0], Passes::Changed).unwrap();
-    let found = mean(&renderer, output);
+    let found = red(&renderer, output);
     assert!((found / expected - 1.0).abs() < tolerance, "{found}, expected {expected}");
 }
 
@@ -87,11 +86,10 @@ fn gathered_emission_belongs_to_its_side() {
         assert_eq!(plan.emission, Emission::Gathered);
         let mut renderer = Renderer::new(gpu(), plan, scene).unwrap();
         renderer.render(scene, &scene.cameras[0], Passes::Changed).unwrap();
-        mean(&renderer, "diffuse")
+        red(&renderer, "diffuse")
     };
     assert_eq!(found(&square(true)), 0.0);
-    let of_side = 0.47 / 1.2209_f64.sqrt();
-    let expected = 10.0 * PI * 4.0 * of_side * of_side.atan() / PI;
+    let expected = 10.0 * PI * form_factor::of_rectangle([-0.47, 0.47], [-0.47, 0.47], 1.0);
     let found = found(&square(false));
     assert!((found / expected - 1.0).abs() < 0.05, "{found}, expected {expected}");
 }
@@ -110,14 +108,10 @@ fn the_back_of_an_emitter_is_dark() {
     let renderer = |scene: &Scene| {
         let mut renderer = Renderer::new(gpu(), plan_for(&gi(), scene, &request("diffuse")), scene).unwrap();
         renderer.render(scene, &scene.cameras[0], Passes::Changed).unwrap();
-        mean(&renderer, "diffuse")
+        red(&renderer, "diffuse")
     };
     assert_eq!(renderer(&sheets("lamp")), 0.0);
-    // A square of side 1 at a distance of 1: four times the form factor of a quarter over its corner, (a/√(1 + a²)) atan(a/√(1 + a²))/π
-    // for a = ½.
-    let of_side = 0.5 / 1.25_f64.sqrt();
-    let quarter = of_side * of_side.atan() / PI;
-    let expected = 10.0 * PI * 4.0 * quarter;
+    let expected = 10.0 * PI * form_factor::of_rectangle([-0.5, 0.5], [-0.5, 0.5], 1.0);
     let found = renderer(&sheets("sheet"));
     assert!((found / expected - 1.0).abs() < 0.02, "{found}, expected {expected}");
 }
@@ -155,7 +149,7 @@ fn a_wide_sun_gives_what_of_it_is_above_the_horizon() {
         renderer.render(&scene, &scene.cameras[0], Passes::Changed).unwrap();
         // Dielectrics of roughness 1 reflect 0.96 of it diffusely, and of the rest about as much as in even light.
         let diffuse = 0.5 / PI * 2.0 * over;
-        let found = mean(&renderer, "final");
+        let found = red(&renderer, "final");
         assert!((0.95..1.05).contains(&(found / diffuse)), "{elevation}: {found}, about {diffuse}");
     }
 }

@@ -4,8 +4,8 @@ use voxlume::Scene;
 
 use super::bench::Bench;
 use super::figure::{
-    Figures, aperture, bits, brightness, colour, energy, feedback, finite, grazing, irradiance, leak, moved,
-    range, refused,
+    Figures, aperture, bits, brightness, carpet, colour, energy, feedback, finite, grazing, irradiance, leak,
+    lone, moved, opening, range, refused,
 };
 
 /// A case.
@@ -37,6 +37,7 @@ macro_rules! hard {
 
 const FURNACE: (&str, &str) = ("scenes/furnace.ron", include_str!("../../scenes/furnace.ron"));
 const BOTH: &[u32] = &[32, 64];
+const LONE: &[u32] = &[32, 64, 128];
 
 const fn case(
     name: &'static str,
@@ -61,7 +62,7 @@ const fn refuse(name: &'static str, scene: (&'static str, &'static str)) -> Case
 const FINITE: &str = "finite images and volumes";
 
 /// All of them.
-pub static CASES: [Case; 40] = [
+pub static CASES: [Case; 47] = [
     case("leak", "a sealed box is dark under a sky", hard!("sealed_box"), leak::from_sky, BOTH),
     case(
         "leak_black",
@@ -93,6 +94,17 @@ pub static CASES: [Case; 40] = [
         grazing::through_wall,
         BOTH,
     ),
+    case(
+        "slit",
+        "a slit in a roof of sheets is as wide as it is",
+        hard!("slit_sheets"),
+        opening::between_sheets,
+        BOTH,
+    ),
+    case("slit_thick", "so it is in a roof of boxes", hard!("slit_boxes"), opening::between_boxes, BOTH),
+    case("lone_cube", "a cube alone sees nothing of itself", hard!("lone_cube"), lone::lone, LONE),
+    case("lone_ball", "nor does a ball", hard!("lone_ball"), lone::lone, LONE),
+    case("carpet", "a carpet hides the floor under it", hard!("carpet"), carpet::over_floor, BOTH),
     case("grazing", "a plain casts no shadow on itself", hard!("grazing"), grazing::own_shadow, BOTH),
     case(
         "back_to_back",
@@ -109,6 +121,7 @@ pub static CASES: [Case; 40] = [
         brightness::brightness,
         &[32, 64, 128, 256],
     ),
+    case("offset", "and wherever walls lie in voxels", hard!("room"), brightness::over_offsets, BOTH),
     case("energy", "a wall is the same on every level", hard!("one_wall"), energy::along_an_axis, BOTH),
     case("energy_askew", "so it is askew to the grid", hard!("slanted_wall"), energy::askew, BOTH),
     case("furnace", "irradiance in a closed box is its closed form", FURNACE, irradiance::furnace, BOTH),
@@ -119,9 +132,16 @@ pub static CASES: [Case; 40] = [
     case("origin", "the same up to 10⁶ units from the origin", hard!("room"), moved::origin, &[64]),
     case("scale", "the same from 10⁻⁴ to 10⁴ units wide", hard!("room"), moved::scale, &[64]),
     case("mirrored", "the same mirrored", hard!("room"), moved::mirrored, &[64]),
+    case("turned", "as bright turned", hard!("room"), moved::turned, BOTH),
     case("runs", "the same bits in every run", hard!("room"), bits::runs, BOTH),
     case("shuffled", "the same bits in any order of triangles", hard!("room"), bits::shuffled, BOTH),
-    case("aperture", "cones from 0° to 180° are finite", hard!("wide_lights"), aperture::aperture, &[32]),
+    case(
+        "aperture",
+        "cones from 0° to almost 180° are finite",
+        hard!("wide_lights"),
+        aperture::aperture,
+        &[32],
+    ),
     case(
         "roughness",
         "so are mirrored ones of every roughness",

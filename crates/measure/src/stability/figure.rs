@@ -3,6 +3,7 @@
 pub mod aperture;
 pub mod bits;
 pub mod brightness;
+pub mod carpet;
 pub mod colour;
 pub mod energy;
 pub mod feedback;
@@ -10,7 +11,9 @@ pub mod finite;
 pub mod grazing;
 pub mod irradiance;
 pub mod leak;
+pub mod lone;
 pub mod moved;
+pub mod opening;
 pub mod range;
 pub mod refused;
 

@@ -1,11 +1,11 @@
-//! The same scene elsewhere, of another size, or mirrored.
+//! The same scene elsewhere, of another size, mirrored or turned.
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DQuat, DVec3, EulerRot};
 use voxlume::scene::LightKind;
 use voxlume::{Picture, Scene};
 
 use super::{Figure, Figures};
-use crate::stability::bench::{Bench, difference};
+use crate::stability::bench::{Bench, difference, grey};
 
 /// Difference of the image, moved away along each axis.
 pub fn origin(bench: &Bench<'_>, scene: &Scene) -> Figures {
@@ -45,7 +45,20 @@ pub fn mirrored(bench: &Bench<'_>, scene: &Scene) -> Figures {
     Ok(vec![Figure::at_most("difference", difference(&here, &there), 0.05)])
 }
 
-/// The whole scene, its lights and cameras, under a uniform scale, a mirror or a translation.
+/// Brightness of indirect light, turned about all axes, beside that upright.
+pub fn turned(bench: &Bench<'_>, scene: &Scene) -> Figures {
+    let mean = |scene: &Scene| Ok::<f64, crate::Error>(grey(&bench.image(scene, "diffuse", &[])?));
+    let upright = mean(scene)?;
+    let figure = |degrees: f64| {
+        let [x, y, z] = [1.0, 1.3, 0.7].map(|share| (share * degrees).to_radians());
+        let turn = DAffine3::from_quat(DQuat::from_euler(EulerRot::XYZ, x, y, z));
+        let value = mean(&transformed(scene, turn))? / upright - 1.0;
+        Ok(Figure::swept("brightness beside upright", "turn, °", degrees, value, Some(0.02)))
+    };
+    [5.0, 15.0, 25.0, 35.0, 45.0].into_iter().map(figure).collect()
+}
+
+/// The whole scene, its lights and cameras, under a uniform scale, a mirror, a rotation or a translation.
 fn transformed(scene: &Scene, transform: DAffine3) -> Scene {
     let mut scene = scene.clone();
     let scale = transform.matrix3.x_axis.length();
