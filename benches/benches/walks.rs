@@ -1,7 +1,7 @@
 //! Rays a second through a bitmask, by walk, length and density, on one device in one run:
 //! `cargo bench -p voxlume-benches --bench walks`.
 //!
-//! `-- N` takes another resolution than 128. Cells are met whole: what a voxel's sheets cost comes on top, for both walks.
+//! `-- N` takes another resolution than 128. Cells are met whole: what a voxel's sheets cost comes on top, for all walks.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use glam::{DVec3, UVec3};
@@ -18,14 +18,14 @@ fn main() {
         "{}, {resolution}³, {RAYS} rays, medians of {RUNS} alternating runs after one of warm-up, million rays a second\n",
         gpu().info.name
     );
-    println!("| cells | rays up to | bricks | columns | bricks / columns |");
-    println!("|---|---|---|---|---|");
+    println!("| cells | rays up to | {} |", WALKS.join(" | "));
+    println!("|---|---|{}", "---|".repeat(WALKS.len()));
     let mut random = Random::new(11);
     for (name, bits) in worlds(resolution, &mut random) {
         for (length, reach) in [("8 voxels", 8.0), ("32 voxels", 32.0), ("the end", 1e30)] {
             let rays = rays(resolution, reach, &mut random);
-            let [bricks, columns] = speeds(&bits, &rays);
-            println!("| {name} | {length} | {bricks:.1} | {columns:.1} | {:.2} |", bricks / columns);
+            let speeds = speeds(&bits, &rays).map(|speed| format!("{speed:.1}"));
+            println!("| {name} | {length} | {} |", speeds.join(" | "));
         }
     }
 }
@@ -59,11 +59,11 @@ fn rays(resolution: u32, reach: f32, random: &mut Random) -> Vec<Ray> {
 }
 
 /// Million rays a second of each walk.
-fn speeds(bits: &Bits, rays: &[Ray]) -> [f64; 2] {
+fn speeds(bits: &Bits, rays: &[Ray]) -> [f64; WALKS.len()] {
     let library = Library::builtin();
     let kernels = WALKS.map(|walk| bits.kernel(&library, &format!("walk/{walk}"), rays));
     let groups = rays.len().div_ceil(64) as u32;
-    let mut times = [Vec::new(), Vec::new()];
+    let mut times = WALKS.map(|_| Vec::new());
     for run in 0..=RUNS {
         for (kernel, times) in kernels.iter().zip(&mut times) {
             let seconds = kernel.run(groups);
