@@ -5,10 +5,10 @@ import package::common::mesh::{vertices, triangle_indices};
 import package::common::sheet::SIDES;
 import package::common::triangle_box::swizzle;
 
-// Points of a side, (±¼, ±¼) about the middle of the face; of each the word of the triangle in front. Then a word for each axis:
-// which squares its triangles cover (see common/sheet.wgsl).
+// Points of a side, (±¼, ±¼) about the middle of the face; of each the word of the triangle in front. Then two words for each axis:
+// which squares its triangles cover (see common/sheet.wgsl), and which they touch.
 const FRONTS = 4u;
-const FRONT_STRIDE = SIDES * FRONTS + 3u;
+const FRONT_STRIDE = SIDES * FRONTS + 6u;
 
 // The word of a triangle at a point that it covers: the larger, the further in front. From the top: COVERS, how high it lies there
 // towards the side's outside, its number. 0: no triangle.

@@ -8,9 +8,9 @@ import package::common::triangle_box::swizzle;
 var<storage, read_write> fronts: array<atomic<u32>>;
 
 
-// A triangle where it may be in front of others in a voxel, and the squares that it covers there. The axis is the one that the
+// A triangle where it may be in front of others in a voxel, and the squares that it covers and touches there. The axis is the one that the
 // normal is nearest to; `nearest` is the triangle's point nearest the voxel's middle, from there.
-fn add_front(f: Facet, axis: u32, squares: u32, two_sided: bool, nearest: vec3f, triangle: u32, slot: u32) {
+fn add_front(f: Facet, axis: u32, squares: u32, touched: u32, two_sided: bool, nearest: vec3f, triangle: u32, slot: u32) {
     if (f.facing == 0.0) {
         return;
     }
@@ -32,4 +32,5 @@ fn add_front(f: Facet, axis: u32, squares: u32, two_sided: bool, nearest: vec3f,
         atomicMax(&fronts[first + i], pack_small(f, triangle));
     }
     atomicOr(&fronts[axis_squares(slot, axis)], squares | select(0u, TWO_SIDED, two_sided));
+    atomicOr(&fronts[axis_squares(slot, axis) + 3], touched);
 }

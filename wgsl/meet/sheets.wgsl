@@ -27,8 +27,10 @@ fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, 
         let at = origin + t * ray.direction;
         let from_behind = (towards > 0.0) == ((words.y & LOW) == 0);
         let shown = !from_behind || (words.y & TWO_SIDED) != 0;
-        // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind.
-        let there = select(inner_squares(words.y), words.y, shown);
+        // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind. Where several sheets
+        // meet they close a corner, from either side.
+        let meets_others = i > 0 || (words.y & MORE) != 0;
+        let there = select(inner_squares(words.y), words.y, shown || meets_others);
         if (t > 0.0 && t < nearest && all(abs(at) <= vec3f(0.5 + OVERLAP)) && (there & square_at(at, sheet.axis)) != 0) {
             let of_left = t < NEAR && is_of(normal, dot(normal, centre) + sheet.height, ray.left);
             let of_goal = ray.reach - t < NEAR && is_of(normal, dot(normal, centre) + sheet.height, ray.goal);

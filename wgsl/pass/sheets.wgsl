@@ -90,7 +90,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         left &= left - 1;
         let mean = side_shown(side_words(side_fronts(slot, side)), side / 2, cell);
         let material = pack_side_material(mean.material);
-        var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
+        // Where surfaces of different axes meet, they meet: squares half covered close the gap that a corner would have. An edge by
+        // itself ends where it ends.
+        let axis = axis_squares(slot, side / 2);
+        let meets_others = (sides & ~(3u << (side & 6))) != 0;
+        var bits = fronts[axis] | select(0u, fronts[axis + 3], meets_others) | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
         let emitted = pack_radiance(mean.emission);
         let materials_at = slot + (SHEETS + side / 2) * stride;
         let emission_at = slot + (FIRST_EMISSION + side / 2) * stride;

@@ -275,7 +275,7 @@ fn the_cornell_box_explained() {
       scan_runs          buffer                                    4.6 KiB
       cells              buffer                                    4 B × occupied cells of all levels
       attributes         buffer                                    44 B × occupied voxels
-      fronts             buffer                                    108 B × occupied voxels
+      fronts             buffer                                    120 B × occupied voxels
       sheets             buffer                                    72 B × occupied voxels
       item_ranks         buffer                                    188 B
       item_groups        buffer                                    16 B

@@ -24,7 +24,7 @@ const MOST_BANDS: u32 = *Grid::RESOLUTIONS.end();
 const LISTED_WORDS: u32 = 16;
 
 /// Words of the triangles that a voxel's sides show: see wgsl/common/front.wgsl.
-const FRONT_STRIDE: u32 = 6 * 4 + 3;
+const FRONT_STRIDE: u32 = 6 * 4 + 6;
 
 /// Entries of 8 bytes for a voxel's sheets, the materials of its sides and, where voxels keep it, what they emit: see
 /// wgsl/common/sheet.wgsl.
