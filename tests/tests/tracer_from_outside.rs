@@ -66,7 +66,7 @@ fn openness(pipeline: &Pipeline, tracer: Option<&str>) -> f64 {
 
 #[test]
 fn one_word_changes_the_tracer_and_the_word_of_a_pass_wins() {
-    let (cones, feelers) = (openness(&gi("", ""), None), openness(&gi("feelers", ""), None));
+    let (cones, feelers) = (openness(&gi("cones", ""), None), openness(&gi("feelers", ""), None));
     assert_ne!(cones, feelers);
     for (pipeline, pass, request, expected) in [
         ("cones", "", None, cones),
