@@ -9,7 +9,9 @@ use voxlume_tests::{
 };
 
 fn request(format: &str) -> Request {
-    Request { format: Some(format.into()), resolution: Some(32), ..Request::image(24, 24) }
+    // Cones, which a format has a part in.
+    let tracer = Some("cones".into());
+    Request { format: Some(format.into()), tracer, resolution: Some(32), ..Request::image(24, 24) }
 }
 
 /// The scene as it stands, as if nothing of it moved.

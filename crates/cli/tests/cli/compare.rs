@@ -300,7 +300,7 @@ fn tracers_and_scales_are_compared() {
     let page = text(&folder, "out/report.html");
     assert!(page.contains("</svg>rays</li>") && page.contains("isotropic rgba16float 32³ rays 1/4:"));
     for (words, message) in [
-        ("--tracers sonar", "error: unknown tracer `sonar`\n = one of: cones, rays, or all"),
+        ("--tracers sonar", "error: unknown tracer `sonar`\n = one of: rays, cones, or all"),
         ("--scales 3", "error: effects gathered at 1/3 of the screen\n = one of: 1, 2, 4, 8"),
     ] {
         let ran = compare(&folder, words);

@@ -79,7 +79,7 @@ fn unknown_words() {
     Folder::new().refuses(
         "stability leek --formats sh3 --resolutions 4",
         "error: unknown case `leek`
- = did you mean `leak`? one of: leak, leak_black, leak_askew, leak_sun, leak_lit, leak_level_0, grazing_wall, grazing, back_to_back, paper, brightness, energy, energy_askew, furnace, border, feedback, narrow_gap, radiance, origin, scale, mirrored, runs, shuffled, aperture, roughness, odd_sizes, slivers, across, million, far_away, tiny, huge, uneven, no_size_light, against_the_light, camera_inside, coplanar, emissive_sliver, flat, empty, not_a_number, infinity
+ = did you mean `leak`? one of: leak, leak_black, leak_askew, leak_sun, leak_lit, leak_level_0, grazing_wall, slit, slit_thick, lone_cube, lone_ball, carpet, grazing, back_to_back, paper, brightness, offset, energy, energy_askew, furnace, border, feedback, narrow_gap, radiance, origin, scale, mirrored, turned, runs, shuffled, aperture, roughness, odd_sizes, slivers, across, million, far_away, tiny, huge, uneven, no_size_light, against_the_light, camera_inside, coplanar, emissive_sliver, flat, empty, not_a_number, infinity
 
 error: unknown storage format `sh3`
  = did you mean `sh2`? one of: isotropic, six_face, sh2, or all
