@@ -6,7 +6,7 @@ import package::common::sheet::SIDES;
 import package::common::triangle_box::swizzle;
 
 // Points of a side, (±¼, ±¼) about the middle of the face; of each the word of the triangle in front. Then two words for each axis:
-// which squares its triangles cover (see common/sheet.wgsl), and which they touch.
+// which squares its triangles cover (see common/sheet.wgsl), and which they touch, with CUT if a mask has cut any.
 const FRONTS = 4u;
 const FRONT_STRIDE = SIDES * FRONTS + 6u;
 
@@ -14,6 +14,7 @@ const FRONT_STRIDE = SIDES * FRONTS + 6u;
 // towards the side's outside, its number. 0: no triangle.
 override TRIANGLE_BITS: u32 = 24;
 const COVERS = 0x80000000u;
+const CUT = 0x80000000u;
 // Heights that are told apart, voxels. What covers a point lies in the voxel.
 const FRONT_RANGE = 1.1;
 

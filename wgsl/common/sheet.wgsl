@@ -17,6 +17,8 @@ struct Sheet {
     axis: u32,
     // A bit for each square, and those below.
     bits: u32,
+    // A mask has cut squares out of it.
+    has_holes: bool,
 }
 
 // Squares along a side of the voxel's face.
@@ -34,19 +36,21 @@ const MORE = 0x40000000u;
 const THERE = 0x80000000u;
 const AXIS_SHIFT = 25u;
 
-const HEIGHT_UNITS = 21845.0;
+const HEIGHT_UNITS = 10922.0;
 const SLOPE_UNITS = 127.0;
+// Of the first word.
+const HOLES = 0x8000u;
 
 fn pack_sheet(sheet: Sheet) -> vec2u {
-    let height = u32(clamp(round(sheet.height * HEIGHT_UNITS) + 32768.0, 0.0, 65535.0));
+    let height = u32(clamp(round(sheet.height * HEIGHT_UNITS) + 16384.0, 0.0, 32767.0)) | select(0u, HOLES, sheet.has_holes);
     let slope = vec2u(clamp(round(sheet.slope * SLOPE_UNITS) + 128.0, vec2f(0.0), vec2f(255.0)));
     return vec2u(height | (slope.x << 16) | (slope.y << 24), sheet.bits | (sheet.axis << AXIS_SHIFT));
 }
 
 fn unpack_sheet(words: vec2u) -> Sheet {
-    let height = (f32(words.x & 0xffff) - 32768.0) / HEIGHT_UNITS;
+    let height = (f32(words.x & 0x7fff) - 16384.0) / HEIGHT_UNITS;
     let slope = (vec2f(vec2u(words.x >> 16, words.x >> 24) & vec2u(255)) - 128.0) / SLOPE_UNITS;
-    return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y);
+    return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y, (words.x & HOLES) != 0);
 }
 
 // What a side reflects, by glTF's words, all in [0, 1].

@@ -5,8 +5,9 @@ import package::common::front::Facet;
 import package::common::material::{HAS_ALPHA_MASK, Material, base_color};
 import package::common::sheet::{ALL_SQUARES, SQUARES};
 
-// Whether a square lies with all of it inside a triangle's edge from a to b. `facing` is positive where the corners turn from x to y. A point on an edge that two triangles share belongs to one of them,
-// so that no order of triangles matters: both find the same number there, up to its sign.
+// Whether a square lies with all of it inside a triangle's edge from a to b. `facing` is positive where the corners turn from x to y. A
+// point on an edge that two triangles share belongs to one of them, so that no order of triangles matters: both find the same number
+// there, up to its sign.
 fn is_within(a: vec2f, b: vec2f, facing: f32, centre: vec2f, half_side: f32) -> bool {
     let turned = b.x < a.x || (b.x == a.x && b.y < a.y);
     let low = select(a, b, turned);
@@ -39,14 +40,18 @@ fn covered_squares(f: Facet) -> u32 {
     return covered;
 }
 
-// Area from which a triangle is a wall, in voxel faces. Of small ones, of which many are in a voxel, what is left out here is covered by
-// others.
-const WALL = 9.0;
+// Width from which a triangle is a wall, in voxels: narrower ones are bars and pieces of surfaces, of which many are in a voxel, and what
+// is left out of one is covered by others or is a gap.
+const WALL = 1.0;
 
-// The squares of which a wall covers any part, and some beyond sharp corners within its box; of a small triangle those covered.
+fn is_wall(f: Facet) -> bool {
+    let longest = max(distance(f.corners[0], f.corners[1]), max(distance(f.corners[1], f.corners[2]), distance(f.corners[2], f.corners[0])));
+    return abs(f.facing) >= WALL * longest;
+}
+
+// The squares of which a wall covers any part, and some beyond sharp corners within its box; of a narrower triangle those covered.
 fn touched_squares(f: Facet, covered: u32) -> u32 {
-    // Seen along the axis: up to √3 less than its area.
-    if (0.5 * abs(f.facing) < WALL) {
+    if (!is_wall(f)) {
         return covered;
     }
     let half_side = 0.5 / f32(SQUARES);
@@ -70,6 +75,8 @@ struct Remains {
     touched: u32,
     // Of the squares that it would cover without a mask.
     share: f32,
+    // Whether a mask may have cut any off.
+    cut: bool,
 }
 
 // Levels between a texel as large as a voxel and one as large as a square.
@@ -87,10 +94,10 @@ fn mask_threshold(index: u32) -> f32 {
 fn remains(f: Facet, corners: Corners, nearest: Fragment, material: Material) -> Remains {
     let covered = covered_squares(f);
     if (!HAS_ALPHA_MASK || material.alpha_cutoff <= 0.0) {
-        return Remains(true, covered, touched_squares(f, covered), 1.0);
+        return Remains(true, covered, touched_squares(f, covered), 1.0, false);
     }
     if (covered == 0) {
-        return Remains(base_color(material, nearest.uv, nearest.lod).a >= material.alpha_cutoff, 0, 0, 1.0);
+        return Remains(base_color(material, nearest.uv, nearest.lod).a >= material.alpha_cutoff, 0, 0, 1.0, true);
     }
     let lod = max(corners.lod - SQUARE_LEVELS, 0.0);
     var left = 0u;
@@ -106,5 +113,5 @@ fn remains(f: Facet, corners: Corners, nearest: Fragment, material: Material) ->
             left |= select(0u, 1u << i, alpha >= threshold);
         }
     }
-    return Remains(left != 0, left, left, f32(countOneBits(left)) / f32(countOneBits(covered)));
+    return Remains(left != 0, left, left, f32(countOneBits(left)) / f32(countOneBits(covered)), true);
 }

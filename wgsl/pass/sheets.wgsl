@@ -3,17 +3,16 @@
 import package::common::bands::triangle_voxel;
 import package::common::dispatch::dispatch_index;
 import package::common::fragment::{corners_of, fragment_at};
-import package::common::front::{COVERS, axis_squares, facet, front_triangles, side_fronts};
+import package::common::front::{COVERS, CUT, axis_squares, facet, front_triangles, side_fronts};
 import package::common::material::{HAS_EMISSION, base_color, emission, materials, roughness_metallic};
 import package::common::radiance::pack_radiance;
-import package::common::sheet::{FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
+import package::common::sheet::{ALL_SQUARES, FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
 import package::common::voxels::level_cell;
 
 // As common/fronts.wgsl leaves them.
 var<storage, read> fronts: array<u32>;
 // As many of each voxel as it may have: see common/side.wgsl.
 var<storage, read_write> sheets: array<vec2u>;
-
 
 struct Shown {
     height: f32,
@@ -94,7 +93,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         // itself ends where it ends.
         let axis = axis_squares(slot, side / 2);
         let meets_others = (sides & ~(3u << (side & 6))) != 0;
-        var bits = fronts[axis] | select(0u, fronts[axis + 3], meets_others) | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
+        var bits = fronts[axis] | select(0u, fronts[axis + 3] & ALL_SQUARES, meets_others) | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
         let emitted = pack_radiance(mean.emission);
         let materials_at = slot + (SHEETS + side / 2) * stride;
         let emission_at = slot + (FIRST_EMISSION + side / 2) * stride;
@@ -109,7 +108,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                 sheets[emission_at][(side & 1) ^ 1] = emitted;
             }
         }
-        sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits));
+        sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits, (fronts[axis + 3] & CUT) != 0));
         at += stride;
     }
 }

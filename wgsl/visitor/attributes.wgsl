@@ -84,7 +84,7 @@ fn add_fragment(visitor: Visitor, cell: vec3u) {
     let reflectance = saturate(total_reflectance(color.rgb, shine.y, shine.x));
     let v = visitor.corners.v;
     let nearest = f.weights.x * v[0] + f.weights.y * v[1] + f.weights.z * v[2] - vec3f(cell) - 0.5;
-    add_front(plane, visitor.axis, remains.squares, remains.touched, material.double_sided != 0, nearest, visitor.triangle, slot);
+    add_front(plane, visitor.axis, remains, material.double_sided != 0, nearest, visitor.triangle, slot);
     let first = slot * ATTRIBUTE_STRIDE;
     add(first, weight);
     add(first + 1, select(0.0, weight, material.double_sided != 0));
