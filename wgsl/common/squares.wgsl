@@ -42,7 +42,7 @@ fn covered_squares(f: Facet) -> u32 {
 
 // Width from which a triangle is a wall, in voxels: narrower ones are bars and pieces of surfaces, of which many are in a voxel, and what
 // is left out of one is covered by others or is a gap.
-const WALL = 1.0;
+const WALL = 0.5;
 
 fn is_wall(f: Facet) -> bool {
     let longest = max(distance(f.corners[0], f.corners[1]), max(distance(f.corners[1], f.corners[2]), distance(f.corners[2], f.corners[0])));

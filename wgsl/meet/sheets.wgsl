@@ -7,7 +7,7 @@ import package::common::side::{sheet_entry, side_number};
 // How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;
 // How far from its apex a ray may still meet the surface that it leaves, or from its end the one that it runs up to.
-const NEAR = 3.0;
+const NEAR = 1.5;
 
 fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, RayHit>) -> bool {
     let centre = vec3f(cell) + 0.5;
