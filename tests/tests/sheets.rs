@@ -222,8 +222,8 @@ fn passes(solid: f64, height_over_pitch: f64, half: f64, distance: f64) -> f64 {
     passed / all
 }
 
-/// The sky's light through the same fences. A voxel keeps of its bars what its six faces' squares tell apart: the bars are an eighth to
-/// a third of a voxel, and a sixteenth of the light is what that leaves.
+/// The sky's light through the same fences. A square of a voxel's face is a fifth of it, and the narrowest bars are three quarters of
+/// that: what squares and mean planes of a bar's sides leave is within 0.07.
 #[test]
 fn a_fence_lets_through_its_share_of_the_sky() {
     let around = 1.0 - form_factor::of_rectangle([-2.0, 2.0], [-2.0, 2.0], 0.5);
@@ -235,7 +235,7 @@ fn a_fence_lets_through_its_share_of_the_sky() {
         let right = passes(solid, if masked { 0.0 } else { 0.25 }, 2.0, 0.5);
         println!("{solid}, mask {masked}: {passed:.3} passes, {right:.3} is right");
         assert!(
-            (passed - right).abs() < 0.0625,
+            (passed - right).abs() < 0.07,
             "{solid}, mask {masked}: {passed:.3} passes, {right:.3} is right"
         );
     }

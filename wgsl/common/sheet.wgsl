@@ -19,6 +19,8 @@ struct Sheet {
     bits: u32,
     // A mask has cut squares out of it.
     has_holes: bool,
+    // It ends where it meets the voxel's sheets of other axes, all of it at their backs. Its squares reach beyond.
+    ends: bool,
 }
 
 // Squares along a side of the voxel's face.
@@ -36,21 +38,22 @@ const MORE = 0x40000000u;
 const THERE = 0x80000000u;
 const AXIS_SHIFT = 25u;
 
-const HEIGHT_UNITS = 10922.0;
+const HEIGHT_UNITS = 5461.0;
 const SLOPE_UNITS = 127.0;
 // Of the first word.
 const HOLES = 0x8000u;
+const ENDS = 0x4000u;
 
 fn pack_sheet(sheet: Sheet) -> vec2u {
-    let height = u32(clamp(round(sheet.height * HEIGHT_UNITS) + 16384.0, 0.0, 32767.0)) | select(0u, HOLES, sheet.has_holes);
+    let height = u32(clamp(round(sheet.height * HEIGHT_UNITS) + 8192.0, 0.0, 16383.0)) | select(0u, HOLES, sheet.has_holes) | select(0u, ENDS, sheet.ends);
     let slope = vec2u(clamp(round(sheet.slope * SLOPE_UNITS) + 128.0, vec2f(0.0), vec2f(255.0)));
     return vec2u(height | (slope.x << 16) | (slope.y << 24), sheet.bits | (sheet.axis << AXIS_SHIFT));
 }
 
 fn unpack_sheet(words: vec2u) -> Sheet {
-    let height = (f32(words.x & 0x7fff) - 16384.0) / HEIGHT_UNITS;
+    let height = (f32(words.x & 0x3fff) - 8192.0) / HEIGHT_UNITS;
     let slope = (vec2f(vec2u(words.x >> 16, words.x >> 24) & vec2u(255)) - 128.0) / SLOPE_UNITS;
-    return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y, (words.x & HOLES) != 0);
+    return Sheet(height, slope, (words.y >> AXIS_SHIFT) & 3, words.y, (words.x & HOLES) != 0, (words.x & ENDS) != 0);
 }
 
 // What a side reflects, by glTF's words, all in [0, 1].
@@ -84,6 +87,16 @@ fn sheet_normal(sheet: Sheet) -> vec3f {
         case 1: { return vec3f(-s.y, 1.0, -s.x); }
         default: { return vec3f(-s.x, -s.y, 1.0); }
     }
+}
+
+// How far a point lies before a sheet's front, in lengths of its normal.
+fn before(sheet: Sheet, q: vec3f) -> f32 {
+    let over = dot(sheet_normal(sheet), q) - sheet.height;
+    return select(over, -over, (sheet.bits & LOW) != 0);
+}
+
+fn square_middle(index: u32) -> vec2f {
+    return (vec2f(vec2u(index % SQUARES, index / SQUARES)) + 0.5) / f32(SQUARES) - 0.5;
 }
 
 // The bit of the square that a point of the voxel's face lies in; beyond the voxel the nearest one's.

@@ -3,7 +3,7 @@
 import package::common::fragment::{Corners, Fragment};
 import package::common::front::Facet;
 import package::common::material::{HAS_ALPHA_MASK, Material, base_color};
-import package::common::sheet::{ALL_SQUARES, SQUARES};
+import package::common::sheet::{ALL_SQUARES, SQUARES, square_middle};
 
 // Whether a square lies with all of it inside a triangle's edge from a to b. `facing` is positive where the corners turn from x to y. A
 // point on an edge that two triangles share belongs to one of them, so that no order of triangles matters: both find the same number
@@ -22,10 +22,6 @@ fn is_inside(f: Facet, centre: vec2f, half_side: f32) -> bool {
     return is_within(f.corners[0], f.corners[1], f.facing, centre, half_side)
         && is_within(f.corners[1], f.corners[2], f.facing, centre, half_side)
         && is_within(f.corners[2], f.corners[0], f.facing, centre, half_side);
-}
-
-fn square_middle(index: u32) -> vec2f {
-    return (vec2f(vec2u(index % SQUARES, index / SQUARES)) + 0.5) / f32(SQUARES) - 0.5;
 }
 
 // The squares whose middles a triangle covers, and those below.
@@ -51,7 +47,7 @@ fn is_wall(f: Facet) -> bool {
 
 // The squares of which a wall covers any part, and some beyond sharp corners within its box; of a narrower triangle those covered.
 fn touched_squares(f: Facet, covered: u32) -> u32 {
-    if (!is_wall(f)) {
+    if (covered == ALL_SQUARES || !is_wall(f)) {
         return covered;
     }
     let half_side = 0.5 / f32(SQUARES);
@@ -71,7 +67,7 @@ struct Remains {
     // False: its alpha mask has cut it all off.
     there: bool,
     squares: u32,
-    // Of a wall those of which any part may be covered, of others the same.
+    // Of a wall those of which any part may be covered; of others and where a mask has cut, the same.
     touched: u32,
     // Of the squares that it would cover without a mask.
     share: f32,

@@ -6,7 +6,7 @@ import package::common::fragment::{corners_of, fragment_at};
 import package::common::front::{COVERS, CUT, axis_squares, facet, front_triangles, side_fronts};
 import package::common::material::{HAS_EMISSION, base_color, emission, materials, roughness_metallic};
 import package::common::radiance::pack_radiance;
-import package::common::sheet::{ALL_SQUARES, FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, pack_sheet, pack_side_material};
+import package::common::sheet::{ALL_SQUARES, FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, before, pack_sheet, pack_side_material, square_middle, unswizzled};
 import package::common::voxels::level_cell;
 
 // As common/fronts.wgsl leaves them.
@@ -67,6 +67,35 @@ fn side_shown(words: vec4u, axis: u32, cell: vec3u) -> Shown {
     return mean;
 }
 
+// How far a sheet may reach over another's plane where both are squares and mean planes: half a square.
+const REACH = 0.1;
+
+// How a sheet lies to the voxel's others of other axes: all of it before their fronts, all of it at their backs, neither. Both where
+// they are nearly one plane.
+struct Relation {
+    before: bool,
+    behind: bool,
+}
+
+fn relation(sheet: Sheet, others: ptr<function, array<Sheet, SIDES>>, count: u32) -> Relation {
+    var r = Relation(true, true);
+    var left = sheet.bits & ALL_SQUARES;
+    while (left != 0) {
+        let at = square_middle(firstTrailingBit(left));
+        left &= left - 1;
+        let point = unswizzled(at, sheet.height + dot(sheet.slope, at), sheet.axis);
+        for (var i = 0u; i < count; i++) {
+            let other = (*others)[i];
+            if (other.axis != sheet.axis) {
+                let distance = before(other, point);
+                r.before = r.before && distance > -REACH;
+                r.behind = r.behind && distance < REACH;
+            }
+        }
+    }
+    return r;
+}
+
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3u) {
     let slot = dispatch_index(id, 64);
@@ -79,21 +108,18 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
         sides |= select(0u, 1u << side, any(side_words(side_fronts(slot, side)) != vec4u(0)));
     }
     let stride = arrayLength(&sheets) / SHEET_ENTRIES;
-    for (var i = countOneBits(sides); i < SHEET_ENTRIES; i++) {
+    for (var i = SHEETS; i < SHEET_ENTRIES; i++) {
         sheets[slot + i * stride] = vec2u(0);
     }
-    var at = slot;
+    var found: array<Sheet, SIDES>;
+    var count = 0u;
     var left = sides;
     while (left != 0) {
         let side = firstTrailingBit(left);
         left &= left - 1;
         let mean = side_shown(side_words(side_fronts(slot, side)), side / 2, cell);
         let material = pack_side_material(mean.material);
-        // Where surfaces of different axes meet, they meet: squares half covered close the gap that a corner would have. An edge by
-        // itself ends where it ends.
-        let axis = axis_squares(slot, side / 2);
-        let meets_others = (sides & ~(3u << (side & 6))) != 0;
-        var bits = fronts[axis] | select(0u, fronts[axis + 3] & ALL_SQUARES, meets_others) | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
+        var bits = fronts[axis_squares(slot, side / 2)] | THERE | select(0u, LOW, (side & 1) == 1) | select(0u, MORE, left != 0);
         let emitted = pack_radiance(mean.emission);
         let materials_at = slot + (SHEETS + side / 2) * stride;
         let emission_at = slot + (FIRST_EMISSION + side / 2) * stride;
@@ -108,7 +134,26 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                 sheets[emission_at][(side & 1) ^ 1] = emitted;
             }
         }
-        sheets[at] = pack_sheet(Sheet(mean.height, mean.slope, side / 2, bits, (fronts[axis + 3] & CUT) != 0));
-        at += stride;
+        let is_cut = (fronts[axis_squares(slot, side / 2) + 3] & CUT) != 0;
+        found[count] = Sheet(mean.height, mean.slope, side / 2, bits, is_cut, false);
+        count++;
+    }
+    for (var i = 0u; i < SHEETS; i++) {
+        var words = vec2u(0);
+        if (i < count) {
+            var sheet = found[i];
+            // Where sheets of different axes meet, squares half covered close the gap that a corner would have: of a hollow the rest
+            // lies behind the other sheet, of a body rays are told where it ends. An edge by itself ends where it ends.
+            let meets_others = (sides & ~(3u << (2 * sheet.axis))) != 0;
+            if (meets_others) {
+                let r = relation(sheet, &found, count);
+                if (r.before || r.behind) {
+                    sheet.bits |= fronts[axis_squares(slot, sheet.axis) + 3] & ALL_SQUARES;
+                    sheet.ends = !r.before;
+                }
+            }
+            words = pack_sheet(sheet);
+        }
+        sheets[slot + i * stride] = words;
     }
 }
