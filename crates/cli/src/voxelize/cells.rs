@@ -52,7 +52,7 @@ pub fn bytes(renderer: &Renderer<'_>, name: &str) -> Result<Vec<u8>, Failure> {
     renderer.buffer(name)?.ok_or_else(|| Failure::work(format!("the plan has no `{name}`")))
 }
 
-fn words(renderer: &Renderer<'_>, name: &str) -> Result<Vec<u32>, Failure> {
+pub fn words(renderer: &Renderer<'_>, name: &str) -> Result<Vec<u32>, Failure> {
     Ok(bytes(renderer, name)?.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
 }
 

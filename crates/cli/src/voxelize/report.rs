@@ -5,7 +5,7 @@ use voxlume::{Gpu, Pipeline, Renderer, ResourceKind, Scene};
 use voxlume_measure::{Frames, describe};
 use voxlume_report::{Device, Pass};
 
-use super::cells::bytes;
+use super::cells::{bytes, words};
 use crate::failure::Failure;
 use crate::table::Table;
 use crate::timing::Resource;
@@ -27,6 +27,8 @@ pub struct Report {
     occupied: u64,
     /// Occupied cells of all levels.
     cells: u64,
+    /// Voxels with opposite sides, front and back of a surface or two walls back to back.
+    two_sided: u64,
     /// BLAKE3 of the words of level 0's bitmask, little endian.
     occupancy_hash: String,
     /// BLAKE3 of the attribute sums of all occupied voxels, little endian.
@@ -54,7 +56,12 @@ impl Report {
         let (occupied, cells) = renderer.counts();
         let occupancy = bytes(renderer, "occupancy")?;
         let attributes = bytes(renderer, "attributes")?;
-        let kind = plan.resource("attributes").map(|index| &plan.resources[index].kind);
+        let of = |name: &str| plan.resource(name).map(|index| &plan.resources[index].kind);
+        let two_sided = match of("sheets") {
+            Some(ResourceKind::PerVoxel(stride)) => two_sided(&words(renderer, "sheets")?, *stride, occupied),
+            _ => 0,
+        };
+        let kind = of("attributes");
         let Some(ResourceKind::PerVoxel(stride)) = kind else {
             return Err(Failure::work("the plan has no attributes"));
         };
@@ -74,6 +81,7 @@ impl Report {
             voxel_size: plan.grid.voxel_size,
             occupied,
             cells,
+            two_sided,
             occupancy_hash: hash(&occupancy[..4 * words]),
             attribute_hash: hash(&attributes[..sums]),
             median_ms,
@@ -94,6 +102,7 @@ impl Report {
         row("triangles", self.triangles.to_string());
         row("occupied voxels", self.occupied.to_string());
         row("occupied cells of all levels", self.cells.to_string());
+        row("voxels of opposite sides", self.two_sided.to_string());
         row("median ms", format!("{:.2}", self.median_ms));
         row("spread ms", if self.runs > 1 { format!("{:.2}", self.spread_ms) } else { "-".to_owned() });
         row("bytes of all resources", self.bytes.to_string());
@@ -118,6 +127,24 @@ impl Report {
             self.attribute_hash,
         )
     }
+}
+
+/// Of voxels of `bytes` each, as many as have opposite sides: see wgsl/common/sheet.wgsl.
+fn two_sided(sheets: &[u32], bytes: u64, voxels: u64) -> u64 {
+    const SHEETS: usize = 6;
+    const HAS_BACK: u32 = 1 << 29;
+    const THERE: u32 = 1 << 31;
+    // One after another the first sheets of all voxels, their second ones and so on, two words each.
+    let entries = (bytes / 8) as usize;
+    let capacity = sheets.len() / 2 / entries.max(1);
+    let of_voxel = |slot: usize| {
+        let words = (0..SHEETS).filter_map(|i| sheets.get(2 * (slot + i * capacity) + 1).copied());
+        let words: Vec<u32> = words.filter(|word| word & THERE != 0).collect();
+        // Sheets come by axis.
+        words.iter().any(|word| word & HAS_BACK != 0)
+            || words.windows(2).any(|pair| (pair[0] ^ pair[1]) >> 25 & 3 == 0)
+    };
+    (0..voxels as usize).filter(|slot| of_voxel(*slot)).count() as u64
 }
 
 fn hash(bytes: &[u8]) -> String {
