@@ -19,20 +19,23 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // In tiles of 8 × 8 all threads of a workgroup trace the same share, each in another tile: traces keep together.
     let tiles = (size + 7) / 8;
     let at = select(id.xy, (id.xy % tiles) * 8 + id.xy / tiles, INTERLEAVE == 8);
-    if (any(at >= size) || (LEANS && id.z >= textureNumLayers(image) / 2)) {
-        return;
+    if (all(at < size)) {
+        store_effect(at, size, id.z);
     }
+}
+
+fn store_effect(at: vec2u, size: vec2u, layer: u32) {
     var surface = surface_seen(at, size);
     var value = vec4f(0.0);
     if (surface.hit) {
         surface.pixel = at;
         surface.image_size = size;
-        surface.layer = id.z;
+        surface.layer = layer;
         surface.share = share_at(at, INTERLEAVE);
         value = effect(surface, params);
     }
-    store_texel(at, id.z, value);
+    store_texel(at, layer, value);
     if (LEANS) {
-        store_texel(at, id.z + textureNumLayers(image) / 2, vec4f(leaning, 0.0));
+        store_texel(at, layer + textureNumLayers(image) / 2, vec4f(leaning, 0.0));
     }
 }

@@ -87,10 +87,11 @@ impl Recorder<'_> {
         }
         match groups {
             Groups::Fixed([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
-            Groups::Tiles(image) => {
+            Groups::Tiles { image, quads, layers } => {
                 if let Some(texture) = self.resources.texture(*image) {
-                    let [width, height] = [texture.width(), texture.height()].map(|side| side.div_ceil(TILE));
-                    pass.dispatch_workgroups(width, height, texture.depth_or_array_layers());
+                    let groups = |side: u32| if *quads { side / 2 + 1 } else { side }.div_ceil(TILE);
+                    let layers = layers.unwrap_or(texture.depth_or_array_layers());
+                    pass.dispatch_workgroups(groups(texture.width()), groups(texture.height()), layers);
                 }
             }
             Groups::Indirect { resource, offset } => {

@@ -66,7 +66,7 @@ fn work<'a>(steps: impl Iterator<Item = &'a Step>) -> String {
     let (mut compute, mut indirect, mut draws) = (0, 0, 0);
     for step in steps {
         match step {
-            Step::Compute { groups: Groups::Fixed(_) | Groups::Tiles(_), .. } => compute += 1,
+            Step::Compute { groups: Groups::Fixed(_) | Groups::Tiles { .. }, .. } => compute += 1,
             Step::Compute { groups: Groups::Indirect { .. }, .. } => indirect += 1,
             Step::Draw { .. } | Step::Raster { .. } => draws += 1,
             Step::Clear(_) | Step::Copy { .. } | Step::Counted => {}

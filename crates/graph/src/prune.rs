@@ -72,7 +72,7 @@ fn each(step: &mut Step, found: &mut dyn FnMut(&mut usize)) {
             bound(program, found);
             match groups {
                 Groups::Fixed(_) => {}
-                Groups::Tiles(index) | Groups::Indirect { resource: index, .. } => found(index),
+                Groups::Tiles { image: index, .. } | Groups::Indirect { resource: index, .. } => found(index),
             }
         }
         Step::Draw { program, colors, depth, .. } => {

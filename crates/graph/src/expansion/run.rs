@@ -11,6 +11,10 @@ pub enum Over {
     Cells(u32),
     /// The texels of an image and its layers, a thread each.
     Texels(usize),
+    /// The texels of the first so many layers of an image, a thread each.
+    Layers(usize, u32),
+    /// The quads of an image's texels that lie between the same four texels of one of half the size, and its layers, a thread each.
+    Quads(usize),
     /// So many workgroups.
     Groups([u32; 3]),
     /// As many workgroups as a buffer says at an offset in bytes.
@@ -119,7 +123,9 @@ impl<'e, 'c, 'a> Run<'e, 'c, 'a> {
                 let Some(Target::Resource(levels)) = self.pass.variable("levels") else { return };
                 Groups::Indirect { resource: levels, offset: u64::from(level) * LEVEL_RUN_BYTES }
             }
-            Over::Texels(image) => Groups::Tiles(image),
+            Over::Texels(image) => Groups::Tiles { image, quads: false, layers: None },
+            Over::Layers(image, count) => Groups::Tiles { image, quads: false, layers: Some(count) },
+            Over::Quads(image) => Groups::Tiles { image, quads: true, layers: None },
             Over::Groups(groups) => Groups::Fixed(groups),
             Over::Indirect { resource, offset } => Groups::Indirect { resource, offset },
         };

@@ -70,28 +70,26 @@ impl PassKind for Effect {
             Some(guide) => gather.mount("seen", "seen/reduced").reads("guide", guide).with("SCALE", scale),
             None => gather,
         }
-        .over(Over::Texels(from));
+        .over(Over::Layers(from, layers));
         for (index, mean) in means.iter().enumerate() {
             let at = mean.scale();
             let to = place(pass, at, means.len() - 1 - index);
             // Missing only where the entry reads no surface, which is a fault of its own.
             let guide = |pass: &Expansion<'_, '_>, scale| pass.variable(&guide_name(scale));
             let (fine, coarse) = (guide(pass, at), guide(pass, 2 * at));
-            let step = match (mean, fine, coarse) {
+            let (step, over) = match (mean, fine, coarse) {
                 (Mean::Shared { apart, .. }, Some(fine), _) => {
                     let last = !matches!(means.get(index + 1), Some(Mean::Shared { .. }));
-                    pass.run("pass/interleave").reads("guide", fine).with("APART", *apart).with("LAST", last)
+                    let step = pass.run("pass/interleave").reads("guide", fine);
+                    (step.with("APART", *apart).with("LAST", last), Over::Texels(to))
                 }
-                (Mean::Up { .. }, Some(fine), Some(coarse)) => pass
-                    .run("pass/upsample")
-                    .reads("guide", fine)
-                    .reads("coarse_guide", coarse)
-                    .with("LEANS", leans),
+                (Mean::Up { .. }, Some(fine), Some(coarse)) => {
+                    let step = pass.run("pass/upsample").reads("guide", fine).reads("coarse_guide", coarse);
+                    (step.with("LEANS", leans), Over::Quads(to))
+                }
                 _ => return,
             };
-            step.reads("gathered", Target::Resource(from))
-                .writes("image", Target::Resource(to))
-                .over(Over::Texels(to));
+            step.reads("gathered", Target::Resource(from)).writes("image", Target::Resource(to)).over(over);
             from = to;
         }
     }

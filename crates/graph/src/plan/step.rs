@@ -99,8 +99,16 @@ pub enum Target {
 pub enum Groups {
     /// This many.
     Fixed([u32; 3]),
-    /// One for each 8 × 8 texels of an image, and each of its layers.
-    Tiles(usize),
+    /// One for each 8 × 8 threads over an image.
+    Tiles {
+        /// The image.
+        image: usize,
+        /// A thread for each quad of texels that lie between the same four of an image of half the size: one more along each side than
+        /// that has. Otherwise one for each texel.
+        quads: bool,
+        /// Of its layers the first so many; unless given, all.
+        layers: Option<u32>,
+    },
     /// As many as a buffer says at an offset in bytes.
     Indirect {
         /// The buffer.
