@@ -291,8 +291,8 @@ fn the_cornell_box_explained() {
       traced_shadow      512 × 512 rgba16float, 1 layer            2.00 MiB
       interleaved_1      512 × 512 rgba16float, 1 layer            2.00 MiB
       shadow             512 × 512 rgba16float, 1 layer            2.00 MiB
-      interleaved_2_of_2 256 × 256 rgba16float, 2 layers           1.00 MiB
       diffuse            512 × 512 rgba16float, 1 layer            2.00 MiB
+      interleaved_2_of_2 256 × 256 rgba16float, 2 layers           1.00 MiB
       gathered_2_of_2    256 × 256 rgba16float, 2 layers           1.00 MiB
       final              512 × 512 rgba16float, 1 layer            2.00 MiB
 
