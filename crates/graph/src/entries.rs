@@ -30,9 +30,8 @@ pub(crate) fn check_entries(pipeline: &Pipeline, kinds: &Kinds, library: &Librar
             faults.push(unknown(pipeline, "pass", &pass.run, &known));
         }
         let conditions = CONDITIONS.map(|(word, ..)| word);
-        if let Some(when) = &pass.when
-            && !conditions.contains(&when.value.as_str())
-        {
+        let words = [&pass.when, &pass.full_size_when].into_iter().flatten();
+        for when in words.filter(|when| !conditions.contains(&when.value.as_str())) {
             faults.push(unknown(pipeline, "condition", when, &conditions));
         }
         if let Some(layers) = pass.layers.as_ref().filter(|layers| layers.value != "lights") {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 use voxlume_fault::Faults;
-use voxlume_scene::{Instance, LightKind, Mesh, Scene};
+use voxlume_scene::{Instance, LightKind, Material, Mesh, Scene, Texture};
 
 use crate::live::CONDITIONS;
 
@@ -64,12 +64,30 @@ pub struct SceneFacts {
     pub masked_triangles: [u32; 2],
     /// Whether any material is metallic or smoother than fully rough.
     pub glossy: bool,
+    /// Whether any material is smoother than [`POLISHED`].
+    pub polished: bool,
     /// Directional, point and spot lights that are [wide](SceneFacts::is_wide).
     pub wide: u32,
     /// Whether anything outside the scene shines.
     pub sky: bool,
     /// Triangles of instances that may move; they come after all others.
     pub moving_triangles: u32,
+}
+
+/// Roughness below which a material's reflections are as sharp as pixels: effect/specular.wgsl shares none of them out.
+pub const POLISHED: f32 = 0.2;
+
+/// Share of a texture's texels that makes its material polished: fewer are dirt and noise.
+const POLISHED_SHARE: f64 = 0.01;
+
+fn is_polished(material: &Material, textures: &[Texture]) -> bool {
+    let texture = material.metallic_roughness_texture.and_then(|of| textures.get(of.texture));
+    let Some(texture) = texture else { return material.roughness < POLISHED };
+    // Green is what the roughness is multiplied with.
+    let limit = POLISHED / material.roughness.max(f32::MIN_POSITIVE) * 255.0;
+    let texels = texture.rgba.chunks_exact(4);
+    let (all, polished) = (texels.len(), texels.filter(|texel| f32::from(texel[1]) < limit).count());
+    polished as f64 > POLISHED_SHARE * all as f64
 }
 
 /// Largest side of a texture layer, texels.
@@ -146,6 +164,7 @@ impl SceneFacts {
                     || material.roughness < 1.0
                     || material.metallic_roughness_texture.is_some()
             }),
+            polished: used.iter().any(|material| is_polished(material, &scene.textures)),
             wide: count(SceneFacts::is_wide),
             sky: scene.sky.max_element() > 0.0,
             moving_triangles: scene

@@ -8,7 +8,7 @@ use crate::expansion::context::read_of;
 use crate::facts::{Emission, SceneFacts};
 use crate::order::Makers;
 use crate::pass::Kinds;
-use crate::pipeline::{PassEntry, Pipeline};
+use crate::pipeline::{Located, PassEntry, Pipeline};
 use crate::plan::LeftOut;
 use crate::tracer::Tracers;
 
@@ -16,7 +16,7 @@ use crate::tracer::Tracers;
 type Condition = (&'static str, &'static str, fn(&SceneFacts, Emission) -> bool);
 
 /// Conditions for `when`; each is asked with how emission reaches others.
-pub(crate) const CONDITIONS: [Condition; 5] = [
+pub(crate) const CONDITIONS: [Condition; 6] = [
     ("lights", "the scene has no light", |facts, emission| {
         facts.punctual() > 0 || (emission == Emission::AreaLights && facts.polygons.unwrap_or(0) > 0)
     }),
@@ -24,6 +24,7 @@ pub(crate) const CONDITIONS: [Condition; 5] = [
         facts.wide > 0 || (emission == Emission::AreaLights && facts.polygons.unwrap_or(0) > 0)
     }),
     ("glossy", "no material is glossy", |facts, _| facts.glossy),
+    ("polished", "no material is polished", |facts, _| facts.polished),
     ("shadow_mapped_lights", "the scene has no directional, spot or point light", |facts, _| {
         facts.punctual() > 0
     }),
@@ -31,6 +32,17 @@ pub(crate) const CONDITIONS: [Condition; 5] = [
         facts.sky || (facts.emissive && emission == Emission::Gathered)
     }),
 ];
+
+/// Entries whose images this scene needs at full size get it.
+pub(crate) fn at_full_size(pipeline: &mut Pipeline, facts: &SceneFacts, emission: Emission) {
+    for entry in &mut pipeline.passes {
+        let word = entry.full_size_when.as_ref().map(|when| when.value.as_str());
+        let condition = CONDITIONS.iter().find(|(known, ..)| Some(*known) == word);
+        if condition.is_some_and(|(_, _, holds)| holds(facts, emission)) {
+            entry.scale = Located { value: 1, span: None };
+        }
+    }
+}
 
 /// Why an entry has nothing to do in this scene, if so.
 fn idle(entry: &PassEntry, context: &Context<'_>) -> Option<String> {

@@ -63,6 +63,7 @@ fn rich(polygons: Option<u32>, emitters: Option<u32>) -> SceneFacts {
         masked: true,
         masked_triangles: [100, 0],
         glossy: true,
+        polished: false,
         wide: 1,
         sky: true,
         moving_triangles: 100,

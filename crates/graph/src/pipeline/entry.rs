@@ -39,6 +39,8 @@ pub struct PassEntry {
     /// What the image's size is divided by where the effect gathers, one of [`SCALES`]; what it gives is then brought up to
     /// the image's size.
     pub scale: Located<u32>,
+    /// What a scene must have for `scale` to count as 1.
+    pub full_size_when: Option<Located<String>>,
     /// Pixels along each side of a tile that share out the effect's directions: 4 or 8; 1 where each traces all.
     pub interleave: u32,
     /// What its image's values are; light unless given.
@@ -157,6 +159,7 @@ pub(super) fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntr
     let scale = scale(&mut fields, faults);
     let interleave = interleave(&mut fields, faults);
     let when = optional_word(&mut fields, "when", faults);
+    let full_size_when = optional_word(&mut fields, "full_size_when", faults);
     let layers = optional_word(&mut fields, "layers", faults);
     let tracer = optional_word(&mut fields, "tracer", faults);
     let shows = choice(&mut fields, "shows", &Shows::WORDS, faults);
@@ -203,6 +206,7 @@ pub(super) fn pass_entry(node: Node<'_>, faults: &mut Faults) -> Option<PassEntr
         image,
         update,
         scale,
+        full_size_when,
         interleave,
         shows,
         reference,

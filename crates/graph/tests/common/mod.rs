@@ -29,6 +29,7 @@ pub fn rich() -> SceneFacts {
         masked: true,
         masked_triangles: [100, 0],
         glossy: true,
+        polished: false,
         wide: 1,
         sky: true,
         moving_triangles: 100,

@@ -29,7 +29,7 @@ fn unknown_condition() {
        ┌─ p.ron:37:19
        │
     37 │             when: "shiny",
-       │                   ^^^^^^^ one of: lights, wide_lights, glossy, shadow_mapped_lights, gathered_light
+       │                   ^^^^^^^ one of: lights, wide_lights, glossy, polished, shadow_mapped_lights, gathered_light
     "#);
 }
 
