@@ -48,10 +48,12 @@ fn mean_at(pixel: vec2u, share: vec2f, near: ptr<function, array<Near, 4>>, lean
         let w = select(0.0, linear.x * linear.y * max(alike, LEAST), other.hit);
         var value = (*near)[i].value;
         if (leans) {
-            // As much more as arrives at the finer normal, of what came from there.
+            // As much more as arrives at the finer normal, of what came from there: light that is as wide as the hemisphere falls
+            // with half of the turn, as (1 + cos)/2, since none of it counts from below.
             let vector = (*near)[i].leaning;
-            let there = max(dot(vector, other.normal), 1e-6);
-            value = vec4f(value.rgb * clamp(dot(vector, own.normal) / there, 1.0 / MOST, MOST), value.a);
+            let spread = length(vector);
+            let there = max(spread + dot(vector, other.normal), 1e-6);
+            value = vec4f(value.rgb * clamp((spread + dot(vector, own.normal)) / there, 1.0 / MOST, MOST), value.a);
         }
         sum += w * value;
         weight += w;

@@ -152,7 +152,7 @@ impl Plot<'_> {
 impl Plot<'_> {
     /// The picture as a file of its own, with what its colours and forms mean beneath.
     pub(crate) fn file(&self, series: &[(&str, &str)], tracers: &[&str]) -> String {
-        let height = HEIGHT + LEGEND_LINE * (series.len().max(tracers.len() + 1)) as f64;
+        let height = HEIGHT + LEGEND_LINE * (series.len().max(tracers.len() + 1) as f64 + 0.5);
         let mut svg = self.svg().replacen(
             &format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\""),
             &format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\""),
@@ -170,7 +170,7 @@ impl Plot<'_> {
             &format!("<style>{style}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"),
         );
         let mut legend = String::new();
-        let line = |index: usize| HEIGHT + LEGEND_LINE * index as f64;
+        let line = |index: usize| HEIGHT + LEGEND_LINE * (index as f64 + 0.5);
         for (index, (format, encoding)) in series.iter().enumerate() {
             let (series, mark, y) = (index % SERIES, mark_at(0, 66.0, line(index)), line(index) + 4.0);
             let name = escape(&format!("{format} {encoding}"));
