@@ -58,7 +58,7 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let light = normalize(vec3f(0.5, 0.8, 1.0));
-    leaning = light;
+    leaning = vec4f(light, 0.0);
     return vec4f(vec3f(max(dot(surface.normal, light), 0.0)), 1.0);
 }
 ";
@@ -126,8 +126,9 @@ fn surfaces_keep_apart() {
 fn finer_normals_count() {
     let scene = ball();
     let whole = shown(&scene, LIT, "");
-    let silent =
-        LIT.replace("    leaning = light;\n", "").replace("import package::common::leaning::leaning;\n", "");
+    let silent = LIT
+        .replace("    leaning = vec4f(light, 0.0);\n", "")
+        .replace("import package::common::leaning::leaning;\n", "");
     for (scale, most) in [(2, 0.01), (4, 0.02)] {
         let words = format!("scale: {scale}");
         let [with, without] = [LIT, &silent].map(|wgsl| apart(&whole, &shown(&scene, wgsl, &words), 1.0).1);

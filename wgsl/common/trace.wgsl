@@ -82,6 +82,13 @@ fn vector_of(lobe: Lobe, direction: vec3f, radiance: vec3f) -> vec3f {
     return direction * (luminance(radiance) / max(dot(lobe.axis, direction), LEAST_COSINE));
 }
 
+// Light that arrives at a surface, W·m⁻².
+struct Arriving {
+    irradiance: vec3f,
+    // Its mean luminance · direction / cosine: see `Gathered`.
+    vector: vec3f,
+}
+
 // What comes of a trace.
 struct Gathered {
     // Mean radiance that arrives, W·m⁻²·sr⁻¹; where nothing is met, the sky's.

@@ -18,6 +18,8 @@ struct Params {
 
 fn effect(surface: Surface, params: Params) -> vec4f {
     let found = trace_gather(surface_apex(surface), hemisphere_lobe(surface.normal), reach_of(params.distance * longest_side()));
-    leaning = found.vector;
-    return vec4f(PI * found.radiance + emitters_irradiance(surface_apex(surface), surface.normal, params.lamps), found.opacity);
+    let lamps = emitters_irradiance(surface_apex(surface), surface.normal, params.lamps);
+    // Light as wide as the hemisphere falls with half of a normal's turn, as (1 + cos)/2, since none of it counts from below.
+    leaning = PI * vec4f(found.vector, length(found.vector)) + vec4f(lamps.vector, 0.0);
+    return vec4f(PI * found.radiance + lamps.irradiance, found.opacity);
 }

@@ -8,7 +8,7 @@ import package::common::grid::{from_voxel, grid, to_voxel};
 import package::common::light::{Light, area_corners, facing_normal, light_incidence, lights};
 import package::common::light_part::quad_point;
 import package::common::ray::{Ray, Tangent, arrive, is_of, leave};
-import package::common::trace::{Apex, luminance};
+import package::common::trace::{Apex, Arriving, LEAST_COSINE, luminance};
 import package::walk::first_hit;
 
 const SAMPLED = true;
@@ -58,9 +58,10 @@ fn sees(apex: Apex, light: Light, u: vec2f) -> bool {
     return !first_hit(Ray(origin.point, direction, reach, origin, goal)).found;
 }
 
-fn emitters_irradiance(apex: Apex, normal: vec3f, rays: u32) -> vec3f {
+fn emitters_irradiance(apex: Apex, normal: vec3f, rays: u32) -> Arriving {
     let position = from_voxel(apex.position);
     var sum = vec3f(0.0);
+    var vector = vec3f(0.0);
     for (var ray = 0u; ray < rays; ray++) {
         let turn = f32(apex.share.index * rays + ray);
         let start = fract((turn + 0.5) * GOLDEN);
@@ -86,11 +87,14 @@ fn emitters_irradiance(apex: Apex, normal: vec3f, rays: u32) -> vec3f {
         }
         if (at_chosen > 0.0) {
             let light = lights[chosen];
-            let irradiance = light_incidence(light, position, normal).irradiance;
+            let incidence = light_incidence(light, position, normal);
+            let irradiance = incidence.irradiance;
             if (any(irradiance > vec3f(0.0)) && sees(apex, light, fract(0.5 + turn * PLASTIC))) {
-                sum += irradiance * (total / (at_chosen * f32(CANDIDATES)));
+                let arriving = irradiance * (total / (at_chosen * f32(CANDIDATES)));
+                sum += arriving;
+                vector += incidence.direction * (luminance(arriving) / max(dot(normal, incidence.direction), LEAST_COSINE));
             }
         }
     }
-    return sum / f32(rays);
+    return Arriving(sum / f32(rays), vector / f32(rays));
 }

@@ -36,6 +36,6 @@ fn store_effect(at: vec2u, size: vec2u, layer: u32) {
     }
     store_texel(at, layer, value);
     if (LEANS) {
-        store_texel(at, layer + textureNumLayers(image) / 2, vec4f(leaning, 0.0));
+        store_texel(at, layer + textureNumLayers(image) / 2, leaning);
     }
 }

@@ -64,7 +64,7 @@ fn reflected(side: Side) -> vec3f {
         let part = light_part(light, whole, params.parts, turn_of(apex.share), position, apex.normal);
         sum += side_reflectance(side, whole.direction) * whole.irradiance * visibility(light, part, apex);
     }
-    return (sum + side.reflectance * emitters_irradiance(apex, apex.normal, params.lamps)) / PI;
+    return (sum + side.reflectance * emitters_irradiance(apex, apex.normal, params.lamps).irradiance) / PI;
 }
 
 @compute @workgroup_size(64)

@@ -22,7 +22,7 @@ const LEAST = 1e-6;
 struct Near {
     guide: Guide,
     value: vec4f,
-    leaning: vec3f,
+    leaning: vec4f,
 }
 
 fn near_at(texel: vec2i, layer: u32) -> Near {
@@ -31,7 +31,7 @@ fn near_at(texel: vec2i, layer: u32) -> Near {
     near.value = textureLoad(gathered, texel, layer, 0);
     if (LEANS) {
         // Layers of leanings are taken as they are.
-        near.leaning = textureLoad(gathered, texel, layer + textureNumLayers(gathered) / 2, 0).xyz;
+        near.leaning = textureLoad(gathered, texel, layer + textureNumLayers(gathered) / 2, 0);
     }
     return near;
 }
@@ -48,12 +48,11 @@ fn mean_at(pixel: vec2u, share: vec2f, near: ptr<function, array<Near, 4>>, lean
         let w = select(0.0, linear.x * linear.y * max(alike, LEAST), other.hit);
         var value = (*near)[i].value;
         if (leans) {
-            // As much more as arrives at the finer normal, of what came from there: light that is as wide as the hemisphere falls
-            // with half of the turn, as (1 + cos)/2, since none of it counts from below.
-            let vector = (*near)[i].leaning;
-            let spread = length(vector);
-            let there = max(spread + dot(vector, other.normal), 1e-6);
-            value = vec4f(value.rgb * clamp((spread + dot(vector, own.normal)) / there, 1.0 / MOST, MOST), value.a);
+            // As much more as arrives at the finer normal.
+            let leaning = (*near)[i].leaning;
+            let there = dot(leaning, vec4f(other.normal, 1.0));
+            let more = clamp(dot(leaning, vec4f(own.normal, 1.0)) / max(there, 1e-6), 1.0 / MOST, MOST);
+            value = vec4f(value.rgb * select(1.0, more, any(leaning != vec4f(0.0))), value.a);
         }
         sum += w * value;
         weight += w;
