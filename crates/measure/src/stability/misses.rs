@@ -17,9 +17,10 @@ pub struct Miss {
 }
 
 const CONES: Option<&str> = Some(voxlume::CONES.name);
+const RAYS: Option<&str> = Some(voxlume::RAYS.name);
 
 /// All of them.
-pub static MISSES: [Miss; 14] = [
+pub static MISSES: [Miss; 21] = [
     Miss { case: "leak", tracer: CONES, of: &[], figure: "leak", worst: 0.5, reason: BEHIND },
     Miss { case: "leak_askew", tracer: CONES, of: &[], figure: "leak", worst: 0.2, reason: BEHIND },
     Miss { case: "leak_sun", tracer: CONES, of: &["isotropic"], figure: "leak", worst: 0.12, reason: BEHIND },
@@ -50,12 +51,47 @@ pub static MISSES: [Miss; 14] = [
     },
     Miss {
         case: "back_to_back",
-        tracer: None,
+        tracer: CONES,
         of: &[],
         figure: "green over red",
         worst: 1.3,
         reason: ONE_VALUE,
     },
+    Miss {
+        case: "slit_thick",
+        tracer: RAYS,
+        of: &[],
+        figure: "width too much",
+        worst: 0.25,
+        reason: BOTH_RIMS,
+    },
+    Miss { case: "slit", tracer: CONES, of: &[], figure: "width too much", worst: 5.7, reason: WIDE },
+    Miss {
+        case: "slit_thick",
+        tracer: CONES,
+        of: &["isotropic"],
+        figure: "width too much",
+        worst: 0.95,
+        reason: WIDE,
+    },
+    Miss {
+        case: "slit_thick",
+        tracer: CONES,
+        of: &["six_face", "sh2"],
+        figure: "width too much",
+        worst: 7.7,
+        reason: SLANTED,
+    },
+    Miss { case: "carpet", tracer: CONES, of: &[], figure: "green", worst: 0.44, reason: ONE_VALUE },
+    Miss {
+        case: "offset",
+        tracer: CONES,
+        of: &["isotropic"],
+        figure: "brightness",
+        worst: 0.0275,
+        reason: LEVELS,
+    },
+    Miss { case: "turned", tracer: CONES, of: &[], figure: "brightness", worst: 0.45, reason: DISJOINT },
     Miss { case: "energy_askew", tracer: None, of: &[], figure: "`", worst: 0.5, reason: DISJOINT },
     Miss {
         case: "furnace",
@@ -106,6 +142,10 @@ const SLANTED: &str = "a side that is seen at a slant is as opaque as its cosine
                        surface pass through a wall before they add up to all of it";
 const LEVELS: &str = "a coarser cell shifts a wall by up to half a cell, past a sample or behind one";
 const ONE_VALUE: &str = "a voxel has one colour for all its surfaces, and walls nearer than a voxel share it";
+const BOTH_RIMS: &str = "where both rims of a slit lie in one voxel, its upper sheet is that of both, and each rim is right to half \
+                         of a square of the voxel's face";
+const WIDE: &str =
+    "a cone's samples on the way are as wide as the cone, and a slit of a voxel is a small part of each";
 const DISJOINT: &str = "the farther child shows only where the nearer doesn't cover it on average; pieces of a slanted wall that lie \
                         beside each other are taken to hide each other";
 const HALF_LOW: &str = "half floats have few bits left below 6·10⁻⁵";
