@@ -32,6 +32,7 @@
 mod accessor;
 mod document;
 mod image;
+mod lenient;
 mod material;
 mod node;
 mod primitive;

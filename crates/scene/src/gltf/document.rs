@@ -2,9 +2,10 @@
 
 use gltf::json::validation::{Checked, Error, Validate};
 use gltf::json::{Index, Path, Root, mesh::Semantic};
+use serde_json::Value;
 use voxlume_fault::{Fault, Faults, one_of};
 
-use super::at;
+use super::{at, lenient};
 
 /// Extensions that a file may require.
 const SUPPORTED: [&str; 4] = [
@@ -46,13 +47,24 @@ pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
 
 /// Parses and checks the JSON: afterwards every index in it is in range.
 pub(super) fn parse(json: &[u8]) -> Result<Root, Faults> {
-    let mut root: Root = gltf::json::deserialize::from_slice(json)
-        .map_err(|error| Fault::new(format!("not a glTF file: {error}")))?;
-    if root.asset.version.split('.').next() != Some("2") {
-        let version = &root.asset.version;
+    let not_gltf =
+        |error: serde_json::Error| Fault::new(format!("not a glTF file: {}", kind_of(json, &error)));
+    let mut value: Value = serde_json::from_slice(json).map_err(not_gltf)?;
+    if let Some(version) = value.pointer("/asset/version").and_then(Value::as_str)
+        && version.split('.').next() != Some("2")
+    {
         return Err(Fault::new(format!("glTF version {version}; only 2 is supported")).into());
     }
+    lenient::accept(&mut value);
     let mut faults = Faults::default();
+    for (texture, extension) in lenient::elsewhere(&value) {
+        let what = format!("its image is in `{extension}`, which is not read: only PNG and JPEG are");
+        faults.push(at(format!("textures[{texture}]"), what));
+    }
+    // The text itself knows the line of what is wrong.
+    let parsed = serde_json::from_value(value);
+    let mut root: Root =
+        parsed.map_err(|error| not_gltf(serde_json::from_slice::<Root>(json).err().unwrap_or(error)))?;
     // The list is emptied for the validation below, which knows fewer of them.
     for name in std::mem::take(&mut root.extensions_required) {
         if !SUPPORTED.contains(&name.as_str()) {
@@ -74,6 +86,9 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Faults> {
 
     let mut faults = Faults::default();
     root.validate(&root, Path::new, &mut |path, error| {
+        if error == Error::Missing && is_optional(path().as_str()) {
+            return;
+        }
         let what = match error {
             Error::IndexOutOfBounds => "the index is out of range",
             Error::Invalid => "not a valid value",
@@ -84,6 +99,28 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Faults> {
         faults.push(at(path(), what));
     });
     faults.into_result(root)
+}
+
+/// What the parser misses and nobody needs: bounds of positions, which are taken from the positions; the view of an accessor that is
+/// all zeros (glTF 2.0 §3.6.2.1); the image of a texture that nothing refers to.
+fn is_optional(path: &str) -> bool {
+    let is_of = |list: &str, field: &str| path.starts_with(list) && path.ends_with(field);
+    is_of("meshes[", ".min")
+        || is_of("meshes[", ".max")
+        || is_of("accessors[", ".bufferView")
+        || is_of("textures[", ".source")
+}
+
+/// What a file is that has been taken for glTF.
+fn kind_of(bytes: &[u8], error: &serde_json::Error) -> String {
+    let text = bytes.trim_ascii_start();
+    if text.starts_with(b"version https://git-lfs") {
+        "a pointer of Git LFS; `git lfs pull` gets the file itself".to_owned()
+    } else if text.starts_with(b"<") {
+        "HTML or XML".to_owned()
+    } else {
+        error.to_string()
+    }
 }
 
 fn out_of_range<T>(index: Option<&Index<T>>, count: usize) -> String {

@@ -80,7 +80,7 @@ fn bytes<'a>(
 }
 
 fn reader(bytes: &[u8], index: usize) -> Result<ImageReader<Cursor<&[u8]>>, Fault> {
-    let unknown = || at(format!("images[{index}]"), "not an image: only PNG and JPEG are read");
+    let unknown = || at(format!("images[{index}]"), format!("{}: only PNG and JPEG are read", kind(bytes)));
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| unknown())?;
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MEMORY_LIMIT);
@@ -88,6 +88,21 @@ fn reader(bytes: &[u8], index: usize) -> Result<ImageReader<Cursor<&[u8]>>, Faul
     match reader.format() {
         Some(ImageFormat::Png | ImageFormat::Jpeg) => Ok(reader),
         _ => Err(unknown()),
+    }
+}
+
+/// What bytes are that are neither PNG nor JPEG.
+fn kind(bytes: &[u8]) -> &'static str {
+    match bytes {
+        [0xab, b'K', b'T', b'X', b' ', ..] => "a KTX texture",
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "a WebP image",
+        [b'#', b'?', b'R', ..] => "a Radiance HDR image",
+        [b'D', b'D', b'S', b' ', ..] => "a DDS texture",
+        [b'v', b'e', b'r', b's', b'i', b'o', b'n', b' ', b'h', b't', b't', b'p', ..] => {
+            "a pointer of Git LFS"
+        }
+        [b'<', ..] => "HTML or XML",
+        _ => "not an image",
     }
 }
 
