@@ -48,11 +48,11 @@ fn mean_at(pixel: vec2u, share: vec2f, near: ptr<function, array<Near, 4>>, lean
         let w = select(0.0, linear.x * linear.y * max(alike, LEAST), other.hit);
         var value = (*near)[i].value;
         if (leans) {
-            // As much more as arrives at the finer normal.
+            // As much more as arrives at the finer normal. What another surface gets says nothing of that.
             let leaning = (*near)[i].leaning;
             let there = dot(leaning, vec4f(other.normal, 1.0));
             let more = clamp(dot(leaning, vec4f(own.normal, 1.0)) / max(there, 1e-6), 1.0 / MOST, MOST);
-            value = vec4f(value.rgb * select(1.0, more, any(leaning != vec4f(0.0))), value.a);
+            value = vec4f(value.rgb * select(1.0, more, alike > LEAST && any(leaning != vec4f(0.0))), value.a);
         }
         sum += w * value;
         weight += w;

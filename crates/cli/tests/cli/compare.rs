@@ -261,9 +261,9 @@ fn two_images_of_one_name() {
         "compare box.ron --pipeline two.ron --out out",
         "loading
 error: two images would be compared as `final`
-   ┌─ two.ron:80:18
+   ┌─ two.ron:83:18
    │
-80 │             run: \"composite\",
+83 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }

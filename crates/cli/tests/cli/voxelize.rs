@@ -34,6 +34,7 @@ fn counts_and_hashes() {
         "separability",
         "spread_ms",
         "triangles",
+        "two_sided",
         "voxel_size",
     ];
     assert_eq!(keys, expected);
