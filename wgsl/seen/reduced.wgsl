@@ -9,11 +9,11 @@ import package::common::surface::{Surface, surface_load};
 var guide: texture_2d_array<f32>;
 
 // Pixels of the screen along a texel.
-override SCALE: u32 = 1;
+override SEEN_SCALE: u32 = 1;
 
 fn surface_seen(texel: vec2u, size: vec2u) -> Surface {
     let block = unpack_guide(textureLoad(guide, texel, 0, 0));
-    var surface = surface_load(SCALE * texel + block.pixel);
+    var surface = surface_load(SEEN_SCALE * texel + block.pixel);
     surface.position_voxel = block.position;
     surface.position = from_voxel(block.position);
     surface.normal = block.normal;

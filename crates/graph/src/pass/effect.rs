@@ -67,7 +67,9 @@ impl PassKind for Effect {
             .with("INTERLEAVE", entry.interleave)
             .with("LEANS", leans);
         match guide.filter(|_| scale > 1) {
-            Some(guide) => gather.mount("seen", "seen/reduced").reads("guide", guide).with("SCALE", scale),
+            Some(guide) => {
+                gather.mount("seen", "seen/reduced").reads("guide", guide).with("SEEN_SCALE", scale)
+            }
             None => gather,
         }
         .over(Over::Layers(from, layers));
