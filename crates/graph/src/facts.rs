@@ -64,7 +64,7 @@ pub struct SceneFacts {
     pub masked_triangles: [u32; 2],
     /// Whether any material is metallic or smoother than fully rough.
     pub glossy: bool,
-    /// Whether any material is smoother than [`POLISHED`].
+    /// Whether any material's roughness is below 0.2, in at least a hundredth of its texture.
     pub polished: bool,
     /// Directional, point and spot lights that are [wide](SceneFacts::is_wide).
     pub wide: u32,
@@ -75,7 +75,7 @@ pub struct SceneFacts {
 }
 
 /// Roughness below which a material's reflections are as sharp as pixels: effect/specular.wgsl shares none of them out.
-pub const POLISHED: f32 = 0.2;
+const POLISHED: f32 = 0.2;
 
 /// Share of a texture's texels that makes its material polished: fewer are dirt and noise.
 const POLISHED_SHARE: f64 = 0.01;
