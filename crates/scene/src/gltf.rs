@@ -32,7 +32,6 @@
 mod accessor;
 mod document;
 mod image;
-mod lenient;
 mod material;
 mod node;
 mod primitive;

@@ -20,21 +20,23 @@ fn an_animation_may_have_no_node() {
     assert_eq!(file.load().unwrap().meshes.len(), 1);
 }
 
+/// Nor one by the number that the parser takes for none.
 #[test]
 fn a_texture_may_have_no_image() {
-    let mut file = Builder::triangle();
-    file.json["textures"] = json!([{}]);
-    let texture = json!({"index": 0});
-    file.json["materials"] = json!([{
-        "normalTexture": texture, "emissiveTexture": texture, "pbrMetallicRoughness": {"baseColorTexture": texture, "roughnessFactor": 0.25},
-    }]);
-    file.json["meshes"][0]["primitives"][0]["material"] = json!(0);
-    let scene = file.load().unwrap();
-    let material = &scene.materials[scene.meshes[0].material];
-    assert_eq!(
-        (material.base_color_texture.is_none(), material.normal_texture.is_none(), material.roughness),
-        (true, true, 0.25)
-    );
+    for empty in [json!({}), json!({"source": u32::MAX})] {
+        let mut file = Builder::triangle();
+        file.json["textures"] = json!([empty]);
+        let texture = json!({"index": 0});
+        let pbr = json!({"baseColorTexture": texture, "roughnessFactor": 0.25});
+        file.json["materials"] = json!([{
+            "normalTexture": texture, "emissiveTexture": texture, "pbrMetallicRoughness": pbr,
+        }]);
+        file.json["meshes"][0]["primitives"][0]["material"] = json!(0);
+        let scene = file.load().unwrap();
+        let material = &scene.materials[scene.meshes[0].material];
+        assert!(material.base_color_texture.is_none() && material.normal_texture.is_none());
+        assert_eq!(material.roughness, 0.25);
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use gltf::json::validation::{Checked, Error, Validate};
 use gltf::json::{Index, Path, Root, mesh::Semantic};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use voxlume_fault::{Fault, Faults, one_of};
 
-use super::{at, lenient};
+use super::{at, source};
 
 /// Extensions that a file may require.
 const SUPPORTED: [&str; 4] = [
@@ -47,24 +47,18 @@ pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
 
 /// Parses and checks the JSON: afterwards every index in it is in range.
 pub(super) fn parse(json: &[u8]) -> Result<Root, Faults> {
-    let not_gltf =
-        |error: serde_json::Error| Fault::new(format!("not a glTF file: {}", kind_of(json, &error)));
-    let mut value: Value = serde_json::from_slice(json).map_err(not_gltf)?;
-    if let Some(version) = value.pointer("/asset/version").and_then(Value::as_str)
-        && version.split('.').next() != Some("2")
-    {
-        return Err(Fault::new(format!("glTF version {version}; only 2 is supported")).into());
+    let mut root: Root = serde_json::from_slice(json).or_else(|error| again(json, &error))?;
+    if let Some(fault) = unknown_version(&root.asset.version) {
+        return Err(fault.into());
     }
-    lenient::accept(&mut value);
     let mut faults = Faults::default();
-    for (texture, extension) in lenient::elsewhere(&value) {
-        let what = format!("its image is in `{extension}`, which is not read: only PNG and JPEG are");
-        faults.push(at(format!("textures[{texture}]"), what));
+    for (t, texture) in root.textures.iter().enumerate() {
+        let elsewhere = texture.extensions.as_ref().and_then(|extensions| extensions.others.keys().next());
+        if let Some(extension) = elsewhere.filter(|_| root.images.get(texture.source.value()).is_none()) {
+            let what = format!("its image is in `{extension}`, which is not read: only PNG and JPEG are");
+            faults.push(at(format!("textures[{t}]"), what));
+        }
     }
-    // The text itself knows the line of what is wrong.
-    let parsed = serde_json::from_value(value);
-    let mut root: Root =
-        parsed.map_err(|error| not_gltf(serde_json::from_slice::<Root>(json).err().unwrap_or(error)))?;
     // The list is emptied for the validation below, which knows fewer of them.
     for name in std::mem::take(&mut root.extensions_required) {
         if !SUPPORTED.contains(&name.as_str()) {
@@ -101,26 +95,52 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Faults> {
     faults.into_result(root)
 }
 
-/// What the parser misses and nobody needs: bounds of positions, which are taken from the positions; the view of an accessor that is
-/// all zeros (glTF 2.0 §3.6.2.1); the image of a texture that nothing refers to.
-fn is_optional(path: &str) -> bool {
-    let is_of = |list: &str, field: &str| path.starts_with(list) && path.ends_with(field);
-    is_of("meshes[", ".min")
-        || is_of("meshes[", ".max")
-        || is_of("accessors[", ".bufferView")
-        || is_of("textures[", ".source")
+/// Parses what was refused with `error` once more, without what glTF 2.0 allows and the parser doesn't.
+fn again(json: &[u8], error: &serde_json::Error) -> Result<Root, Fault> {
+    let refused = |_| {
+        let what = source::kind(json).map_or_else(|| error.to_string(), str::to_owned);
+        Fault::new(format!("not a glTF file: {what}"))
+    };
+    let mut value: Value = serde_json::from_slice(json).map_err(refused)?;
+    if let Some(fault) = value.pointer("/asset/version").and_then(Value::as_str).and_then(unknown_version) {
+        return Err(fault);
+    }
+    if let Some(root) = value.as_object_mut() {
+        complete(root);
+    }
+    serde_json::from_value(value).map_err(refused)
 }
 
-/// What a file is that has been taken for glTF.
-fn kind_of(bytes: &[u8], error: &serde_json::Error) -> String {
-    let text = bytes.trim_ascii_start();
-    if text.starts_with(b"version https://git-lfs") {
-        "a pointer of Git LFS; `git lfs pull` gets the file itself".to_owned()
-    } else if text.starts_with(b"<") {
-        "HTML or XML".to_owned()
-    } else {
-        error.to_string()
+fn unknown_version(version: &str) -> Option<Fault> {
+    let known = version.split('.').next() == Some("2");
+    (!known).then(|| Fault::new(format!("glTF version {version}; only 2 is supported")))
+}
+
+/// Leaves out channels that animate no node, and gives scenes without nodes none.
+fn complete(root: &mut Map<String, Value>) {
+    if let Some(animations) = list(root, "animations") {
+        animations.retain_mut(|animation| {
+            let channels = animation.as_object_mut().and_then(|animation| list(animation, "channels"));
+            channels.is_none_or(|channels| {
+                channels.retain(|channel| channel.pointer("/target/node").is_some());
+                !channels.is_empty()
+            })
+        });
     }
+    for scene in list(root, "scenes").into_iter().flatten().filter_map(Value::as_object_mut) {
+        scene.entry("nodes").or_insert_with(|| Value::Array(Vec::new()));
+    }
+}
+
+fn list<'a>(object: &'a mut Map<String, Value>, name: &str) -> Option<&'a mut Vec<Value>> {
+    object.get_mut(name).and_then(Value::as_array_mut)
+}
+
+/// What the parser misses and nobody needs: bounds of positions, which are taken from the positions, and the view of an accessor that
+/// is all zeros (glTF 2.0 §3.6.2.1).
+fn is_optional(path: &str) -> bool {
+    let is_of = |list: &str, field: &str| path.starts_with(list) && path.ends_with(field);
+    is_of("meshes[", ".min") || is_of("meshes[", ".max") || is_of("accessors[", ".bufferView")
 }
 
 fn out_of_range<T>(index: Option<&Index<T>>, count: usize) -> String {

@@ -24,16 +24,22 @@ struct Use {
 }
 
 impl Wanted {
-    /// The index that the texture will have in the scene.
-    pub(super) fn index(&mut self, root: &Root, texture: Index<texture::Texture>, srgb: bool) -> usize {
+    /// The index that the texture will have in the scene; `None` if it has no image.
+    pub(super) fn index(
+        &mut self,
+        root: &Root,
+        texture: Index<texture::Texture>,
+        srgb: bool,
+    ) -> Option<usize> {
         let json = &root.textures[texture.value()];
         let image = json.source.value();
+        let of_image = root.images.get(image)?;
         if let Some(known) = self.0.iter().position(|u| (u.image, u.srgb) == (image, srgb)) {
-            return known;
+            return Some(known);
         }
-        let name = json.name.clone().or_else(|| root.images[image].name.clone());
+        let name = json.name.clone().or_else(|| of_image.name.clone());
         self.0.push(Use { image, srgb, name: name.unwrap_or_else(|| format!("texture {}", self.0.len())) });
-        self.0.len() - 1
+        Some(self.0.len() - 1)
     }
 
     /// Decodes them.
@@ -80,29 +86,18 @@ fn bytes<'a>(
 }
 
 fn reader(bytes: &[u8], index: usize) -> Result<ImageReader<Cursor<&[u8]>>, Fault> {
-    let unknown = || at(format!("images[{index}]"), format!("{}: only PNG and JPEG are read", kind(bytes)));
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| unknown())?;
+    let unknown = |what| at(format!("images[{index}]"), format!("{what}: only PNG and JPEG are read"));
+    let mut reader =
+        ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| unknown("not an image"))?;
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MEMORY_LIMIT);
     reader.limits(limits);
     match reader.format() {
         Some(ImageFormat::Png | ImageFormat::Jpeg) => Ok(reader),
-        _ => Err(unknown()),
-    }
-}
-
-/// What bytes are that are neither PNG nor JPEG.
-fn kind(bytes: &[u8]) -> &'static str {
-    match bytes {
-        [0xab, b'K', b'T', b'X', b' ', ..] => "a KTX texture",
-        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "a WebP image",
-        [b'#', b'?', b'R', ..] => "a Radiance HDR image",
-        [b'D', b'D', b'S', b' ', ..] => "a DDS texture",
-        [b'v', b'e', b'r', b's', b'i', b'o', b'n', b' ', b'h', b't', b't', b'p', ..] => {
-            "a pointer of Git LFS"
-        }
-        [b'<', ..] => "HTML or XML",
-        _ => "not an image",
+        Some(ImageFormat::WebP) => Err(unknown("a WebP image")),
+        Some(ImageFormat::Hdr) => Err(unknown("a Radiance HDR image")),
+        Some(ImageFormat::Dds) => Err(unknown("a DDS texture")),
+        _ => Err(unknown(source::kind(bytes).unwrap_or("not an image"))),
     }
 }
 

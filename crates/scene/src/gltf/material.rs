@@ -50,9 +50,10 @@ pub(super) fn read(root: &Root, index: usize, wanted: &mut Wanted) -> Result<(Ma
     let mut maps = Vec::new();
     let mut texture = |name: &'static str, info: Option<&texture::Info>, srgb: bool| {
         let info = info?;
+        let texture = wanted.index(root, info.index, srgb)?;
         let transform = info.extensions.as_ref().and_then(|e| e.texture_transform.as_ref());
         maps.push((name, UvMap::new(info.tex_coord, transform)));
-        Some(TextureRef { texture: wanted.index(root, info.index, srgb) })
+        Some(TextureRef { texture })
     };
     let pbr = &json.pbr_metallic_roughness;
     let base_color_texture = texture("baseColorTexture", pbr.base_color_texture.as_ref(), true);

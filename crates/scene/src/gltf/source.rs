@@ -12,6 +12,17 @@ use voxlume_fault::{Fault, Faults};
 use super::at;
 use crate::limit::read_file;
 
+/// What bytes are that should be glTF or an image, as far as their first ones say it.
+pub(super) fn kind(bytes: &[u8]) -> Option<&'static str> {
+    const KINDS: [(&[u8], &str); 3] = [
+        (b"version https://git-lfs", "a pointer of Git LFS; `git lfs pull` gets the file itself"),
+        (b"<", "HTML or XML"),
+        (b"\xabKTX ", "a KTX texture"),
+    ];
+    let text = bytes.trim_ascii_start();
+    KINDS.iter().find(|(first, _)| text.starts_with(first)).map(|(_, kind)| *kind)
+}
+
 /// Every buffer's bytes, each at least as long as the file says.
 pub(super) fn buffers<'a>(
     root: &Root,
