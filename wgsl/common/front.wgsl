@@ -14,7 +14,6 @@ const FRONT_STRIDE = SIDES * FRONTS + 6u;
 // towards the side's outside, its number. 0: no triangle.
 override TRIANGLE_BITS: u32 = 24;
 const COVERS = 0x80000000u;
-const CUT = 0x80000000u;
 // Heights that are told apart, voxels. What covers a point lies in the voxel.
 const FRONT_RANGE = 1.1;
 
@@ -46,8 +45,15 @@ fn side_fronts(slot: u32, side: u32) -> u32 {
     return slot * FRONT_STRIDE + side * FRONTS;
 }
 
+// Of the squares that are touched: a mask has cut some off.
+const CUT = 0x80000000u;
+
 fn axis_squares(slot: u32, axis: u32) -> u32 {
     return slot * FRONT_STRIDE + SIDES * FRONTS + axis;
+}
+
+fn axis_touched(slot: u32, axis: u32) -> u32 {
+    return axis_squares(slot, axis) + 3;
 }
 
 // A triangle seen along an axis, about the middle of a voxel, in voxels.

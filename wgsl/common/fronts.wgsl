@@ -1,6 +1,6 @@
 // What triangles leave in a voxel for its sheets: the largest words and bits, the same whatever the order.
 
-import package::common::front::{CUT, FRONTS, Facet, axis_squares, front_point, pack_front, pack_small, side_fronts};
+import package::common::front::{CUT, FRONTS, Facet, axis_squares, axis_touched, front_point, pack_front, pack_small, side_fronts};
 import package::common::sheet::{TWO_SIDED, square_bit};
 import package::common::squares::Remains;
 import package::common::triangle_box::swizzle;
@@ -32,5 +32,5 @@ fn add_front(f: Facet, axis: u32, remains: Remains, two_sided: bool, nearest: ve
         atomicMax(&fronts[first + i], pack_small(f, triangle));
     }
     atomicOr(&fronts[axis_squares(slot, axis)], remains.squares | select(0u, TWO_SIDED, two_sided));
-    atomicOr(&fronts[axis_squares(slot, axis) + 3], remains.touched | select(0u, CUT, remains.cut));
+    atomicOr(&fronts[axis_touched(slot, axis)], remains.touched | select(0u, CUT, remains.cut));
 }

@@ -19,23 +19,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     // In tiles of 8 × 8 all threads of a workgroup trace the same share, each in another tile: traces keep together.
     let tiles = (size + 7) / 8;
     let at = select(id.xy, (id.xy % tiles) * 8 + id.xy / tiles, INTERLEAVE == 8);
-    if (all(at < size)) {
-        store_effect(at, size, id.z);
+    if (any(at >= size)) {
+        return;
     }
-}
-
-fn store_effect(at: vec2u, size: vec2u, layer: u32) {
     var surface = surface_seen(at, size);
     var value = vec4f(0.0);
     if (surface.hit) {
         surface.pixel = at;
         surface.image_size = size;
-        surface.layer = layer;
+        surface.layer = id.z;
         surface.share = share_at(at, INTERLEAVE);
         value = effect(surface, params);
     }
-    store_texel(at, layer, value);
+    store_texel(at, id.z, value);
     if (LEANS) {
-        store_texel(at, layer + textureNumLayers(image) / 2, leaning);
+        store_texel(at, id.z + textureNumLayers(image) / 2, leaning);
     }
 }

@@ -3,7 +3,7 @@
 import package::common::bands::triangle_voxel;
 import package::common::dispatch::dispatch_index;
 import package::common::fragment::{corners_of, fragment_at};
-import package::common::front::{COVERS, CUT, axis_squares, facet, front_triangles, side_fronts};
+import package::common::front::{COVERS, CUT, axis_squares, axis_touched, facet, front_triangles, side_fronts};
 import package::common::material::{HAS_EMISSION, base_color, emission, materials, roughness_metallic};
 import package::common::radiance::pack_radiance;
 import package::common::sheet::{ALL_SQUARES, FIRST_EMISSION, HAS_BACK, LOW, MORE, SHEETS, SHEET_ENTRIES, SIDES, Sheet, SideMaterial, THERE, TWO_SIDED, before, pack_sheet, pack_side_material, square_middle, unswizzled};
@@ -67,7 +67,7 @@ fn side_shown(words: vec4u, axis: u32, cell: vec3u) -> Shown {
     return mean;
 }
 
-// How far a sheet may reach over another's plane where both are squares and mean planes: half a square.
+// A sheet lies on one side of another's plane if its squares reach over the plane by no more than this: half a square, in voxels.
 const REACH = 0.1;
 
 // How a sheet lies to the voxel's others of other axes.
@@ -83,9 +83,12 @@ fn relation(sheet: Sheet, others: ptr<function, array<Sheet, SIDES>>, count: u32
     var all_before = true;
     for (var i = 0u; i < count; i++) {
         let other = (*others)[i];
+        if (other.axis == sheet.axis) {
+            continue;
+        }
         var is_before = true;
         var is_behind = true;
-        var left = select(sheet.bits & ALL_SQUARES, 0u, other.axis == sheet.axis);
+        var left = sheet.bits & ALL_SQUARES;
         while (left != 0) {
             let at = square_middle(firstTrailingBit(left));
             left &= left - 1;
@@ -139,7 +142,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
                 sheets[emission_at][(side & 1) ^ 1] = emitted;
             }
         }
-        let is_cut = (fronts[axis_squares(slot, side / 2) + 3] & CUT) != 0;
+        let is_cut = (fronts[axis_touched(slot, side / 2)] & CUT) != 0;
         found[count] = Sheet(mean.height, mean.slope, side / 2, bits, is_cut, false);
         count++;
     }
@@ -153,7 +156,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             if (meets_others) {
                 let r = relation(sheet, &found, count);
                 if (r.apart) {
-                    sheet.bits |= fronts[axis_squares(slot, sheet.axis) + 3] & ALL_SQUARES;
+                    sheet.bits |= fronts[axis_touched(slot, sheet.axis)] & ALL_SQUARES;
                     sheet.ends = r.behind;
                 }
             }

@@ -25,12 +25,11 @@ struct Near {
     leaning: vec4f,
 }
 
-fn near_at(texel: vec2i, layer: u32) -> Near {
+fn near_at(texel: vec2i, layer: u32, leans: bool) -> Near {
     var near: Near;
     near.guide = unpack_guide(textureLoad(coarse_guide, texel, 0, 0));
     near.value = textureLoad(gathered, texel, layer, 0);
-    if (LEANS) {
-        // Layers of leanings are taken as they are.
+    if (leans) {
         near.leaning = textureLoad(gathered, texel, layer + textureNumLayers(gathered) / 2, 0);
     }
     return near;
@@ -69,10 +68,11 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     if (any(2 * low + 1 >= vec2i(size))) {
         return;
     }
+    // The layers of leanings are brought up as they are.
     let leans = LEANS && id.z < textureNumLayers(gathered) / 2;
     var near: array<Near, 4>;
     for (var i = 0; i < 4; i++) {
-        near[i] = near_at(clamp(low + vec2i(i & 1, i >> 1), vec2i(0), last), id.z);
+        near[i] = near_at(clamp(low + vec2i(i & 1, i >> 1), vec2i(0), last), id.z, leans);
     }
     for (var i = 0; i < 4; i++) {
         let pixel = 2 * low + 1 + vec2i(i & 1, i >> 1);

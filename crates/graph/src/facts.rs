@@ -204,3 +204,15 @@ impl SceneFacts {
         known.is_none_or(|(_, _, holds)| holds(self, emission))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The shader's limit is the same.
+    #[test]
+    fn what_is_polished_is_what_shares_no_reflections() {
+        let wgsl = include_str!("../../../wgsl/effect/specular.wgsl");
+        assert!(wgsl.contains(&format!("const SHARP = {POLISHED};")));
+    }
+}

@@ -33,22 +33,21 @@ pub(crate) const CONDITIONS: [Condition; 6] = [
     }),
 ];
 
-/// Entries whose images this scene needs at full size get it.
-pub(crate) fn at_full_size(pipeline: &mut Pipeline, facts: &SceneFacts, emission: Emission) {
-    for entry in &mut pipeline.passes {
-        let word = entry.full_size_when.as_ref().map(|when| when.value.as_str());
-        let condition = CONDITIONS.iter().find(|(known, ..)| Some(*known) == word);
-        if condition.is_some_and(|(_, _, holds)| holds(facts, emission)) {
-            entry.scale = Located { value: 1, span: None };
-        }
-    }
+/// The condition of a word that has been checked.
+fn condition(word: Option<&Located<String>>) -> Option<&'static Condition> {
+    CONDITIONS.iter().find(|(known, ..)| word.is_some_and(|word| word.value == *known))
+}
+
+/// An entry's `scale`: 1 where the scene has what needs the image at full size.
+pub(crate) fn scale_of(entry: &PassEntry, facts: &SceneFacts, emission: Emission) -> u32 {
+    let full = condition(entry.full_size_when.as_ref()).is_some_and(|(_, _, holds)| holds(facts, emission));
+    if full { 1 } else { entry.scale.value }
 }
 
 /// Why an entry has nothing to do in this scene, if so.
 fn idle(entry: &PassEntry, context: &Context<'_>) -> Option<String> {
-    let condition =
-        entry.when.as_ref().and_then(|when| CONDITIONS.iter().find(|(word, ..)| *word == when.value));
-    let unmet = condition.filter(|(_, _, holds)| !holds(context.facts, context.emission));
+    let unmet =
+        condition(entry.when.as_ref()).filter(|(_, _, holds)| !holds(context.facts, context.emission));
     let idle = || context.kinds.idle(entry).map(|idle| idle.why);
     unmet.map(|(_, why, _)| *why).or_else(idle).map(str::to_owned)
 }

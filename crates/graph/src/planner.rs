@@ -13,7 +13,7 @@ use crate::facts::SceneFacts;
 use crate::flow::Flow;
 use crate::grid::Grid;
 use crate::limits;
-use crate::live::{at_full_size, emission_of, explain_branches, live};
+use crate::live::{emission_of, explain_branches, live};
 use crate::order::{Makers, order};
 use crate::pass::{Kinds, Sort};
 use crate::pipeline::{Located, Param, PassEntry, Pipeline, SCALES, Value, scales};
@@ -83,10 +83,6 @@ pub fn plan(
     apply(&mut pipeline, request, kinds, &mut faults);
     let library = with_own_effects(&pipeline, library, &mut faults);
     tracer::resolve(&mut pipeline, kinds, tracers, &mut faults);
-    if request.scale.is_none() {
-        let emission = emission_of(&pipeline, facts, kinds, tracers);
-        at_full_size(&mut pipeline, facts, emission);
-    }
     let pipeline = &pipeline;
 
     let format = variant::format(pipeline, &pipeline.format, formats, &mut faults);
@@ -205,6 +201,7 @@ fn apply(pipeline: &mut Pipeline, request: &Request, kinds: &Kinds, faults: &mut
             };
             for entry in pipeline.passes.iter_mut().filter(|entry| traces(entry)) {
                 entry.scale = Located { value, span: None };
+                entry.full_size_when = None;
             }
         }
     }

@@ -61,8 +61,7 @@ impl Report {
             Some(ResourceKind::PerVoxel(stride)) => two_sided(&words(renderer, "sheets")?, *stride, occupied),
             _ => 0,
         };
-        let kind = of("attributes");
-        let Some(ResourceKind::PerVoxel(stride)) = kind else {
+        let Some(ResourceKind::PerVoxel(stride)) = of("attributes") else {
             return Err(Failure::work("the plan has no attributes"));
         };
         let (words, sums) = (plan.grid.level_words(0) as usize, (occupied * stride) as usize);

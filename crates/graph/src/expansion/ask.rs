@@ -4,6 +4,7 @@ use crate::bundle::Bundle;
 use crate::expansion::Expansion;
 use crate::facts::{Emission, SceneFacts};
 use crate::grid::Grid;
+use crate::live::scale_of;
 use crate::pass::Sort;
 use crate::pipeline::{Located, PassEntry};
 use crate::plan::Target;
@@ -14,6 +15,11 @@ impl<'c, 'a> Expansion<'c, 'a> {
     /// The entry.
     pub fn entry(&self) -> &'a PassEntry {
         self.entry
+    }
+
+    /// What the image's size is divided by where the entry's effect gathers in this scene.
+    pub fn scale(&self) -> u32 {
+        scale_of(self.entry, self.context.facts, self.context.emission)
     }
 
     /// What the scene has.
@@ -158,8 +164,8 @@ impl<'c, 'a> Expansion<'c, 'a> {
     pub(crate) fn coarsest_mean(&self) -> Option<u32> {
         let context = &*self.context;
         let planned = context.pipeline.passes.iter().filter(|entry| context.is_live(entry));
-        let means = planned.filter(|entry| entry.interleave > 1 || entry.scale.value > 1);
-        means.map(|entry| entry.scale.value).max()
+        let scales = planned.map(|entry| (entry, scale_of(entry, context.facts, context.emission)));
+        scales.filter(|(entry, scale)| entry.interleave > 1 || *scale > 1).map(|(_, scale)| scale).max()
     }
 
     /// The tracer of the entry.

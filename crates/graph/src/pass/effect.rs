@@ -5,7 +5,7 @@ use super::{PassKind, Port, Sort};
 use crate::bundle::Bundle;
 use crate::expansion::{Expansion, Over};
 use crate::facts::Emission;
-use crate::pipeline::{PassEntry, SCALES};
+use crate::pipeline::SCALES;
 use crate::plan::{ImageExtent, ImageTexel, ResourceKind, Target};
 
 /// Effects are made by a kind of their own, which has no word: `run` names the effect.
@@ -32,7 +32,7 @@ impl PassKind for Effect {
     fn expand(&self, pass: &mut Expansion<'_, '_>) {
         let entry = pass.entry();
         let module = entry.run.value.trim_end_matches(".wgsl").to_owned();
-        let (extent, texel, scale) = (entry.image.extent, entry.image.texel, entry.scale.value);
+        let (extent, texel, scale) = (entry.image.extent, entry.image.texel, pass.scale());
         let layers = if entry.layers.is_some() { pass.light_count().div_ceil(4).max(1) } else { 1 };
         let kind = |extent, layers| ResourceKind::Image { extent, texel, layers, mips: 1 };
         let image = pass.resource(&pass.written(), kind(extent, layers));
@@ -40,7 +40,7 @@ impl PassKind for Effect {
         let Some(shader) = pass.checked_effect(&module) else { return };
         // Reduced, such an effect has as many layers more, which say from where its light comes.
         let leans = scale > 1 && shader.links("common/leaning");
-        let means = means(entry);
+        let means = means(entry.interleave, scale);
         // The last mean writes the image. Others write one of two that all effects of a size share: each is read right after it
         // is written.
         let place = |pass: &mut Expansion<'_, '_>, at: u32, left: usize| {
@@ -115,9 +115,8 @@ impl Mean {
 }
 
 /// The means that an entry asks for, in their order.
-fn means(entry: &PassEntry) -> Vec<Mean> {
-    let scale = entry.scale.value;
-    let apart = match entry.interleave {
+fn means(interleave: u32, scale: u32) -> Vec<Mean> {
+    let apart = match interleave {
         8 => [Some(false), Some(true)],
         4 => [Some(false), None],
         _ => [None, None],
