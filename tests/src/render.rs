@@ -69,7 +69,7 @@ pub fn image(scene: &Scene, output: &str, resolution: u32, set: &[(&str, &str, f
         resolution: Some(resolution),
         output: Some(output.into()),
         set: set.iter().map(number).collect(),
-        // Of so few pixels four see too much of a curved or a small surface to be one.
+        // Four of so few pixels show too much of a curved or small surface for one gather to stand for them.
         scale: Some(1),
         ..Request::image(32, 32)
     };

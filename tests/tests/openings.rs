@@ -78,8 +78,8 @@ fn a_door_ajar_lets_in_what_its_gap_shows() {
         let gap = (width - seen) / voxel;
         let too_wide = (found / between(width) - 1.0) * gap;
         println!("{degrees}°: a gap of {gap:.2} voxels, {too_wide:+.2} too wide");
-        // Of each of two edges a square of a fifth is covered or isn't.
-        if too_wide.abs() > 0.4 {
+        // One square, a fifth of a voxel, of the two edges together.
+        if too_wide.abs() > 0.2 {
             off.push(degrees);
         }
     }

@@ -140,15 +140,15 @@ fn a_sheet_stops_light_from_both_sides() {
             )"#
         ));
         for output in ["diffuse", "shadow", "final"] {
-            let image = image(&scene, output, 64, &[]);
+            let image = image(&scene, output, 64, &[("diffuse", "rays", 64.0)]);
             assert!(
                 output != "diffuse" || image.pixels.iter().all(|pixel| pixel[3] > 0.0),
                 "the post fills the image"
             );
-            // Seen from behind, the corners of sheets still let in two thousandths of what is outside, in the few directions of a pixel.
+            // Seen from behind, the corners of sheets let in 0.0015 of what is outside: a fifth more is the ceiling.
             let outside = 2.0 * std::f64::consts::PI + 9.0;
             assert!(
-                mean(&image)[0] < 0.0024 * outside,
+                mean(&image)[0] < 0.0018 * outside,
                 "{output}, inside out: {inside_out}: {:?}",
                 mean(&image)
             );
