@@ -2,8 +2,8 @@
 //! keep apart, and finer normals count.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use voxlume::{Picture, Pipeline, Request, Scene, Source};
-use voxlume_tests::{built_in, picture, render, root};
+use voxlume::{Picture, Pipeline, Request, Scene, Source, Value};
+use voxlume_tests::{built_in, gi, mean, picture, render, root, scene_from};
 
 /// An odd number of pixels either way.
 const SIZE: [u32; 2] = [67, 41];
@@ -135,4 +135,33 @@ fn finer_normals_count() {
         println!("{words}: {with}, without {without}");
         assert!(with < 0.6 * without && with < most, "{words}: {with}, without {without}");
     }
+}
+
+/// A dark ball, which gets all of its light from a lamp of many polygons and hardly any from voxels, is as bright at half the size.
+#[test]
+fn light_of_lamps_is_kept() {
+    let scene = scene_from(
+        r#"(
+            materials: { "dark": (base_color: 0, metallic: 1), "lamp": (base_color: 0, metallic: 1, emission: 20) },
+            objects: [
+                (name: "ball", material: "dark", shape: Sphere(radius: 1)),
+                (name: "tube", material: "lamp", shape: Cylinder(radius: 0.2, height: 3, segments: 64), translate: (2, 0, 1.5)),
+            ],
+            cameras: [(name: "front", eye: (0, 0.5, 4), target: (0, 0, 0), fov_deg: 30)],
+        )"#,
+    );
+    let shown = |scale: u32| {
+        let set = vec![("diffuse".into(), "lamps".into(), Value::Number(16.0))];
+        let output = Some("diffuse".into());
+        let request = Request {
+            output,
+            resolution: Some(32),
+            scale: Some(scale),
+            set,
+            ..Request::image(SIZE[0], SIZE[1])
+        };
+        picture(&render(&gi(), &scene, &request), "diffuse")
+    };
+    let share = mean(&shown(2))[0] / mean(&shown(1))[0];
+    assert!((share - 1.0).abs() < 0.02, "{share}");
 }

@@ -345,6 +345,24 @@ fn interleaving() {
     assert_eq!(steps(&gi.replace("interleave: 8,", "")), (1, 0));
 }
 
+/// Reflections are gathered at half the size unless a material is polished; a scale that is asked for holds for all.
+#[test]
+fn polished_materials_are_reflected_at_full_size() {
+    let scale = |polished: bool, asked: Option<u32>| {
+        let facts = SceneFacts { polished, ..rich() };
+        let plan = gi_for(&facts, &Request { scale: asked, ..request() });
+        let pass = plan.passes.iter().find(|pass| pass.name == "specular").unwrap();
+        pass.steps.iter().find_map(|step| match step {
+            Step::Compute { program, .. } => {
+                program.constants.iter().find(|(name, _)| name == "SEEN_SCALE").map(|(_, scale)| *scale)
+            }
+            _ => None,
+        })
+    };
+    assert_eq!([scale(false, None), scale(true, None)], [Some(2.0), None]);
+    assert_eq!([scale(false, Some(1)), scale(true, Some(4))], [None, Some(4.0)]);
+}
+
 /// A scene whose triangles are all too small to be shared out pays nothing for sharing.
 #[test]
 fn fine_triangles_leave_no_bands() {

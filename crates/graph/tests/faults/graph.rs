@@ -31,6 +31,13 @@ fn unknown_condition() {
     37 │             when: "shiny",
        │                   ^^^^^^^ one of: lights, wide_lights, glossy, polished, shadow_mapped_lights, gathered_light
     "#);
+    assert_snapshot!(message(&[(r#"when: "glossy""#, r#"full_size_when: "shiny""#)]), @r#"
+    error: unknown condition `shiny`
+       ┌─ p.ron:37:29
+       │
+    37 │             full_size_when: "shiny",
+       │                             ^^^^^^^ one of: lights, wide_lights, glossy, polished, shadow_mapped_lights, gathered_light
+    "#);
 }
 
 #[test]
