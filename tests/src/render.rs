@@ -69,8 +69,6 @@ pub fn image(scene: &Scene, output: &str, resolution: u32, set: &[(&str, &str, f
         resolution: Some(resolution),
         output: Some(output.into()),
         set: set.iter().map(number).collect(),
-        // Four of so few pixels show too much of a curved or small surface for one gather to stand for them.
-        scale: Some(1),
         ..Request::image(32, 32)
     };
     picture(&render(&gi(), scene, &request), output)

@@ -148,11 +148,10 @@ fn a_second_grid_is_what_it_is_alone() {
         (run: \"filter\", name: \"fine_filter\", reads: [\"fine\", \"fine_radiance\"], writes: [\"fine_volume\"]),";
     let diffuse = "reads: [\"surface\", \"volume\"],\n            writes: [\"diffuse\"]";
     let from_fine = "reads: [\"surface\", \"fine_volume\"],\n            writes: [\"diffuse\"]";
-    // At full size: what brings coarser texels up counts in voxels of the first grid.
-    let request = || Request { scale: Some(1), ..request("diffuse") };
-    let together = shown("cornell.ron", &[(first, second), (diffuse, from_fine)], &[], &request());
-    let alone =
-        |resolution| shown("cornell.ron", &[], &[], &Request { resolution: Some(resolution), ..request() });
+    let together = shown("cornell.ron", &[(first, second), (diffuse, from_fine)], &[], &request("diffuse"));
+    let alone = |resolution| {
+        shown("cornell.ron", &[], &[], &Request { resolution: Some(resolution), ..request("diffuse") })
+    };
     let difference = |a: &Picture, b: &Picture| {
         let pairs = a.pixels.iter().flatten().zip(b.pixels.iter().flatten());
         pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)

@@ -42,8 +42,8 @@ fn meets(ray: Ray, cell: vec3u, slot: u32, passage: Passage, hit: ptr<function, 
         let at = origin + t * ray.direction;
         let from_behind = (towards > 0.0) == ((words.y & LOW) == 0);
         let shown = !from_behind || (words.y & TWO_SIDED) != 0;
-        // Squares reach over an edge by up to half of one. Past the edge of a body a ray meets them from behind. Where several sheets
-        // meet they close a corner, from either side. What a mask leaves is less than a square wide, or as wide as it is.
+        // Squares reach over an edge by up to half of one. So past the edge of a body a ray would meet them from behind: the outermost don't count then.
+        // Where several sheets meet they close a corner, and a mask's squares are cut as they are: there all count.
         let meets_others = i > 0 || (words.y & MORE) != 0;
         let there = select(inner_squares(words.y), words.y, shown || meets_others || sheet.has_holes);
         if (t > 0.0 && t < nearest && all(abs(at) <= vec3f(0.5 + OVERLAP)) && (there & square_at(at, sheet.axis)) != 0

@@ -261,9 +261,9 @@ fn two_images_of_one_name() {
         "compare box.ron --pipeline two.ron --out out",
         "loading
 error: two images would be compared as `final`
-   ┌─ two.ron:83:18
+   ┌─ two.ron:82:18
    │
-83 │             run: \"composite\",
+82 │             run: \"composite\",
    │                  ^^^^^^^^^^^ the second; give the effect another `name`",
     );
 }
