@@ -4,7 +4,7 @@ import package::common::ray::{Passage, Ray, RayHit, is_of};
 import package::common::sheet::{before, LOW, MORE, TWO_SIDED, inner_squares, sheet_normal, square_at, unpack_sheet, SHEETS, SIDES};
 import package::common::side::{sheet_entry, side_number};
 
-// How far out of its cell, and before another sheet that it ends at, a sheet is still met, so that there is no gap between them.
+// How far out of its cell a sheet is still met, so that sheets of neighbours leave no gap between them.
 const OVERLAP = 0.03;
 // How far from its apex a ray may still meet the surface that it leaves, or from its end the one that it runs up to.
 const NEAR = 1.5;
@@ -14,7 +14,7 @@ fn has_ended(slot: u32, axis: u32, at: vec3f) -> bool {
     for (var i = 0u; i < SHEETS; i++) {
         let words = sheet_entry(slot, i);
         let other = unpack_sheet(words);
-        if (other.axis != axis && before(other, at) > OVERLAP) {
+        if (other.axis != axis && before(other, at) > 0.0) {
             return true;
         }
         if ((words.y & MORE) == 0) {

@@ -70,37 +70,29 @@ fn side_shown(words: vec4u, axis: u32, cell: vec3u) -> Shown {
 // A sheet lies on one side of another's plane if its squares reach over the plane by no more than this: half a square, in voxels.
 const REACH = 0.1;
 
-// How a sheet lies to the voxel's others of other axes.
+// How a sheet lies to the voxel's others of other axes: all of it in front of them, all of it behind them, or neither. Both where they
+// are nearly one plane.
 struct Relation {
-    // Of each it lies on one side.
-    apart: bool,
-    // All of it at the backs of all, and not nearly in their planes.
+    before: bool,
     behind: bool,
 }
 
 fn relation(sheet: Sheet, others: ptr<function, array<Sheet, SIDES>>, count: u32) -> Relation {
     var r = Relation(true, true);
-    var all_before = true;
-    for (var i = 0u; i < count; i++) {
-        let other = (*others)[i];
-        if (other.axis == sheet.axis) {
-            continue;
+    var left = sheet.bits & ALL_SQUARES;
+    while (left != 0) {
+        let at = square_middle(firstTrailingBit(left));
+        left &= left - 1;
+        let point = unswizzled(at, sheet.height + dot(sheet.slope, at), sheet.axis);
+        for (var i = 0u; i < count; i++) {
+            let other = (*others)[i];
+            if (other.axis != sheet.axis) {
+                let distance = before(other, point);
+                r.before = r.before && distance > -REACH;
+                r.behind = r.behind && distance < REACH;
+            }
         }
-        var is_before = true;
-        var is_behind = true;
-        var left = sheet.bits & ALL_SQUARES;
-        while (left != 0) {
-            let at = square_middle(firstTrailingBit(left));
-            left &= left - 1;
-            let distance = before(other, unswizzled(at, sheet.height + dot(sheet.slope, at), sheet.axis));
-            is_before = is_before && distance > -REACH;
-            is_behind = is_behind && distance < REACH;
-        }
-        r.apart = r.apart && (is_before || is_behind);
-        r.behind = r.behind && is_behind;
-        all_before = all_before && is_before;
     }
-    r.behind = r.behind && !all_before;
     return r;
 }
 
@@ -155,9 +147,9 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
             let meets_others = (sides & ~(3u << (2 * sheet.axis))) != 0;
             if (meets_others) {
                 let r = relation(sheet, &found, count);
-                if (r.apart) {
+                if (r.before || r.behind) {
                     sheet.bits |= fronts[axis_touched(slot, sheet.axis)] & ALL_SQUARES;
-                    sheet.ends = r.behind;
+                    sheet.ends = !r.before;
                 }
             }
             words = pack_sheet(sheet);
